@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Connects the confirm_learning service and the lesson that waits for it.
+// Connects the confirm_learning service with the lesson that waits for it.
 #pragma once
 
 #include <mbncc_vision/ConfirmLearning.h>

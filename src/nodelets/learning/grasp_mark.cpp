@@ -24,7 +24,7 @@ void GraspMark::record(const std::string& base_frame, const ros::Time& now) {
   try {
     const auto pose = tf_.lookupTransform(base_frame, gripper_frame_, ros::Time(0));
     const ros::Time& stamp = pose.header.stamp;
-    // A fixed transform has no stamp.
+    // A static transform has no stamp.
     if (!stamp.isZero() && (now - stamp).toSec() > kOldestPose)
       throw std::runtime_error("no grasp can be marked: the last pose of '" + gripper_frame_ +
                                "' is too old; check that the robot publishes its tf");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Records the gripper's pose at the demonstration as the object's grasp.
+// Records the gripper's pose during the demonstration as the object's grasp.
 #pragma once
 
 #include <ros/time.h>
@@ -16,12 +16,12 @@ namespace mbncc::nodelets {
 
 class GraspMark {
  public:
-  /// `tf` outlives the mark; `gripper_frame` "" refuses every mark.
+  /// `tf` must outlive this object. If `gripper_frame` is "", no grasp can be recorded.
   GraspMark(const tf2_ros::Buffer& tf, std::string gripper_frame);
 
   /// Stores the gripper's pose at `now` in `base_frame`, which must not move relative to the
-  /// platform until the object is known. Throws std::runtime_error with a message if the pose is
-  /// unknown.
+  /// platform until the object's pose is known. Throws std::runtime_error with a message if the
+  /// pose is unknown.
   void record(const std::string& base_frame, const ros::Time& now);
 
   void clear();
@@ -29,7 +29,8 @@ class GraspMark {
   /// Whether a mark was recorded at `time` or later; an older one belongs to another demonstration.
   bool is_marked_since(const ros::Time& time) const;
 
-  /// The marked gripper pose relative to an object's in the base frame; none if nothing is marked.
+  /// The marked pose of the gripper relative to the object, whose pose in the base frame is given;
+  /// none if nothing is marked.
   std::optional<Grasp> relative_to(const Eigen::Isometry3d& T_base_object) const;
 
  private:

@@ -26,18 +26,18 @@ class ImageFeed {
 
   ~ImageFeed();
 
-  /// Passes an image on; never blocks, a newer one replaces an older one.
+  /// Passes an image to the watch. Never blocks: a newer image replaces one that still waits.
   void put(const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); }
 
-  /// State of the watch.
+  /// State of the live scene.
   struct View {
     bool any_image = false;          ///< a usable image has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
     std_msgs::Header header;         ///< of the newest image
     double silence = 0;              ///< [s] since a usable image arrived, by the steady clock
-    std::uint64_t refused = 0;       ///< images that could not be decoded or watched
-    std::string fault;               ///< why, for the last of them
-    bool newest_refused = false;     ///< the newest image is one of them
+    std::uint64_t refused = 0;       ///< images that could not be decoded or processed
+    std::string fault;               ///< why the last refused image was refused
+    bool newest_refused = false;     ///< the newest image was refused
   };
   View look() const;
 

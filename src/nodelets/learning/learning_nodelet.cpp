@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Teaches objects: the LearnObject action and the services of the library. Wiring only.
+// Teaches objects: the LearnObject action and the services of the library. Only connects the parts.
 #include <ros/callback_queue.h>
 #include <ros/ros.h>
 #include <std_srvs/Trigger.h>
@@ -34,8 +34,8 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// The matching nodelet's parameters, below the private namespace, because a lesson is evaluated
-/// with the search that will be used for its object.
+/// Namespace of the matching nodelet's parameters, below the private one. They are needed because a
+/// lesson is evaluated with the search that will be used for its object.
 constexpr char kSearchNamespace[] = "matching";
 
 std::string host_name() {
@@ -43,7 +43,8 @@ std::string host_name() {
   return ::gethostname(name, sizeof name - 1) == 0 ? name : "unknown";
 }
 
-/// The configured name, otherwise one that tells cells of one network apart.
+/// The configured name; if it is empty, host name and namespace, which distinguish the cells of a
+/// network.
 std::string cell_name(const std::string& configured, const std::string& name_space) {
   if (!is_valid_label(configured))
     throw ConfigError("parameter 'cell_name' must be printable UTF-8 of at most 200 bytes");

@@ -20,12 +20,12 @@ class LessonDisplay {
   /// `action`: the action's resolved name.
   LessonDisplay(ros::NodeHandle& node, const std::string& action);
 
-  void show_stage(const cv::Mat& image) const;  ///< of the segmentation
+  void show_stage(const cv::Mat& image) const;  ///< stage of the segmentation
   void show_preview(const cv::Mat& image) const;
-  void show_image(const cv::Mat& image) const;  ///< without annotations, before its draft
+  void show_image(const cv::Mat& image) const;  ///< without annotations; before show_draft()
   void show_draft(const mbncc_vision::LearnObjectResult& draft) const;
 
-  /// Score map of the object in its learning image; only with a subscriber.
+  /// Publishes the score map of the object in its learning image, if there is a subscriber.
   void show_score_map(const ObjectModel& model, const cv::Mat& image,
                       const SearchConfig& search) const;
 

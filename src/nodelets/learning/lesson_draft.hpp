@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a lesson has learned so far: compared with the library, shown, and corrected by the
-// operator.
+// The object that a lesson has learned so far. It is compared with the library, shown to the
+// operator, and corrected by edits.
 #pragma once
 
 #include <mbncc_vision/LearnObjectGoal.h>
@@ -16,34 +16,35 @@
 
 namespace mbncc::nodelets {
 
-/// The lesson of a goal that passed check_goal(), with these images (CV_8UC3; `after` is empty if
-/// the mode needs none). On failure `fault` contains the result.
+/// The lesson of a goal; on failure, `fault` contains the result for the client.
 struct GoalLesson {
   Lesson lesson;
   std::optional<mbncc_vision::LearnObjectResult> fault;
 };
+/// Converts a goal that passed check_goal() to a lesson with these images (CV_8UC3; `after` is
+/// empty if the mode needs none).
 GoalLesson to_lesson(const mbncc_vision::LearnObjectGoal& goal, const std::string& name,
                      const cv::Mat& before, const cv::Mat& after);
 
 class LessonDraft {
  public:
-  /// The references outlive it. `name` of the object.
+  /// The references must outlive the draft. `name` is the name of the object.
   LessonDraft(const mbncc_vision::LearnObjectGoal& goal, std::string name, const LessonTools& tools,
               const LessonImages& images, LessonFeedback& feedback);
 
-  /// From the images as they are now.
+  /// Learns from the current images.
   void learn();
 
-  /// Of the images and all edits in force, compared with the library.
+  /// The result of the images and all edits in force, compared with the library.
   const LearnResult& learned() const { return learned_; }
 
-  /// The object is still where it was: the map contains its old place and the new one.
+  /// Whether the object was put down so near its old place that the map contains both places.
   bool lies_there_yet() const;
 
-  /// By its verdict, or because the goal allows BAD.
+  /// Whether the verdict allows storing, or the goal allows the verdict BAD.
   bool may_be_stored() const;
 
-  /// As InteractiveLesson does.
+  /// As in InteractiveLesson; the new result is compared and shown again.
   LearnResult edit(const LessonEdit& edit);
   bool undo();
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a running lesson tells its client, and its early end.
+// Sends the feedback of a running lesson to its client, and ends a lesson early.
 #pragma once
 
 #include <mbncc_vision/LearnObjectResult.h>
@@ -15,39 +15,42 @@
 
 namespace mbncc::nodelets {
 
-/// Progress of a whole lesson at the end of taking images, of learning, of the operator's check.
+/// Progress [0..1] of a lesson when the images are taken, the object is learned, and the operator
+/// has checked it.
 constexpr double kTaken = 0.3, kLearned = 0.9, kChecked = 0.95;
 
-/// Ends a lesson from any depth: thrown by end_lesson() alone, caught in LessonSession::run().
+/// Exception that ends a lesson from any depth; thrown only by end_lesson(), caught in
+/// LessonSession::run().
 struct LessonEnded {
   mbncc_vision::LearnObjectResult result;
 };
 
 [[noreturn]] void end_lesson(const mbncc_vision::LearnObjectResult& result);
-/// Texts given here replace the error's own.
+/// Texts that are not empty replace those of the error.
 [[noreturn]] void end_lesson(LearnError error, const std::string& message = "",
                              const std::string& hint = "");
 
 class LessonFeedback {
  public:
-  /// `client` outlives it.
+  /// `client` must outlive this object.
   explicit LessonFeedback(LessonClient& client);
 
-  /// `stage` of LearnObjectFeedback, `progress` [0..1] of the whole lesson.
+  /// Sends a message. `stage` is a constant of LearnObjectFeedback, `progress` [0..1] that of the
+  /// whole lesson.
   void tell(std::uint8_t stage, double progress, const std::string& message);
 
-  /// The same, of what the operator has to do.
+  /// Sends a message about what the operator has to do.
   void ask(std::uint8_t stage, double progress, const std::string& request);
 
-  /// "": the operator was not asked for anything.
+  /// The last message of ask(); "" if there was none.
   const std::string& last_request() const { return last_request_; }
 
-  /// Where the object is [px], told from now on; none: the goal's region.
+  /// Sets the object's box [px] in the feedback from now on; none: the goal's region.
   void set_place(const std::optional<cv::Rect>& place);
 
   std::optional<LearnError> interruption() const { return client_.interruption(); }
 
-  /// Ends the lesson if it was cancelled or its time is over.
+  /// Ends the lesson if it was cancelled or has timed out.
   void leave_if_interrupted() const;
 
  private:

@@ -8,7 +8,8 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// The object's pose in the frame that grasps are marked in.
+/// The object's pose in the frame in which grasps are marked: platform_frame, or the camera's frame
+/// if that is not set.
 Eigen::Isometry3d in_base(const Calibration& calibration, const PlatformPose& object) {
   Eigen::Isometry3d T_camera_object = Eigen::Isometry3d::Identity();
   for (int row = 0; row < 3; ++row) {
@@ -29,7 +30,8 @@ LessonGauge::LessonGauge(const PlatformConfig& config, const std::string& grippe
 void LessonGauge::mark(const std_msgs::Header& newest_image) {
   const auto info = camera_.camera_info();
   std_msgs::Header header = newest_image;
-  // Checks that there is a platform; the lesson uses it at its image's stamp.
+  // The newest transform is enough to check that there is a platform; the lesson uses the stamp of
+  // its image.
   header.stamp = ros::Time(0);
   const cv::Size size = info ? image_size(*info) : cv::Size();
   const Calibration calibration = calibrate(config_, info.get(), header, size, tf_);

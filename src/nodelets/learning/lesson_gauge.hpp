@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Metric data of a lesson from calibration and tf: the scale, and the grasp.
+// Determines the metric data of a lesson, scale and grasp, from the calibration and tf.
 #pragma once
 
 #include <ros/time.h>
@@ -28,7 +28,7 @@ struct LessonMeasures {
 
 class LessonGauge {
  public:
-  /// `camera` and `tf` outlive the gauge.
+  /// `camera` and `tf` must outlive this object.
   LessonGauge(const PlatformConfig& config, const std::string& gripper_frame,
               const CameraInput& camera, const tf2_ros::Buffer& tf);
 
@@ -36,19 +36,19 @@ class LessonGauge {
   /// message if it cannot become a grasp.
   void mark(const std_msgs::Header& newest_image);
 
-  /// The platform at the time of a lesson's image. Call this when the image is taken, because
-  /// tf stores some seconds and a lesson lasts minutes. `given`: sent with the goal; empty: the
-  /// live one is used.
+  /// The calibration at the stamp of a lesson's image. Call this when the image is taken, because
+  /// tf stores only some seconds and a lesson lasts minutes. `given` is the goal's camera_info; if
+  /// it is empty, the live one is used.
   Calibration calibrate_image(const sensor_msgs::CameraInfo& given, const std_msgs::Header& header,
                               cv::Size size) const;
 
-  /// Of an object that lies at `reference` in the image that was calibrated, its top face
-  /// `object_height` [m] above the platform. Grasps marked before `since` belong to another
-  /// demonstration.
+  /// The metric data of an object that lies at `reference` in the image of the calibration, with
+  /// its top face `object_height` [m] above the platform. Grasps marked before `since` are ignored,
+  /// because they belong to another demonstration.
   LessonMeasures measure(const Calibration& calibration, const ros::Time& since,
                          const Pose2D& reference, double object_height) const;
 
-  /// The lesson was stored together with the mark.
+  /// Forgets the mark; call this when the lesson has been stored with it.
   void clear() { mark_.clear(); }
 
  private:

@@ -14,22 +14,22 @@
 
 namespace mbncc::nodelets {
 
-/// Why the goal must be rejected: invalid name, mode or fields. None: it may start.
+/// Result that rejects a goal with an invalid name, mode or field; none if the goal is valid.
 std::optional<mbncc_vision::LearnObjectResult> check_goal(const mbncc_vision::LearnObjectGoal& goal,
                                                           const LibrarySnapshot& library,
                                                           int max_objects);
 
-/// Why a valid goal must be rejected: nothing can be stored now. None: it may start. Takes some
-/// milliseconds for a write test.
+/// Result that rejects a valid goal because nothing can be stored now; none if it may start. The
+/// write test takes some milliseconds.
 std::optional<mbncc_vision::LearnObjectResult> check_storage(const SharedLibrary& library);
 
 /// Treatment of a stored object of the same name, for a goal that passed check_goal().
 Storing storing_of(const mbncc_vision::LearnObjectGoal& goal);
 
-/// The goal's name, or the first free object_<n> for "".
+/// The name in the goal; if it is "", the first free name object_<n>.
 std::string name_for(const mbncc_vision::LearnObjectGoal& goal, const LibrarySnapshot& library);
 
-/// The goal's lesson, without images and without the place of its object.
+/// The lesson of a goal, without images and without the region of its object.
 Lesson described(const mbncc_vision::LearnObjectGoal& goal, const std::string& name);
 
 }  // namespace mbncc::nodelets

@@ -16,7 +16,7 @@ using Feedback = mbncc_vision::LearnObjectFeedback;
 using Goal = mbncc_vision::LearnObjectGoal;
 
 constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the live scene
-constexpr int kGlancesPerWord = 15;               // between two messages to the operator
+constexpr int kGlancesPerWord = 15;  // number of checks between two messages to the operator
 
 constexpr double kSilentCamera = 2;  // [s] without an image before the operator is informed
 
@@ -132,7 +132,8 @@ void LessonImages::wait_for_change() {
   });
 }
 
-/// A moved camera makes the image before useless, as what has come over the edge does not.
+/// Processes the newest still image. If the camera has moved, the image before is useless and,
+/// unless the goal contains it, replaced. Something that reaches in from the edge leaves it valid.
 LessonImages::Step LessonImages::demonstrate(const std::optional<StillShot>& still) {
   const cv::Mat was = demonstration_.before().image;
   const Step step = demonstration_.look(still);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The images of a lesson: given with the goal, or live while the operator takes the object away.
+// The images of a lesson: given with the goal, or taken live while the operator takes the object
+// away.
 #pragma once
 
 #include <mbncc_vision/LearnObjectGoal.h>
@@ -22,30 +23,31 @@ namespace mbncc::nodelets {
 struct LessonImage {
   cv::Mat image;
   std_msgs::Header header;
-  std::uint64_t number = 0;  ///< number of its still period; 0: given with the goal
+  std::uint64_t number = 0;  ///< of the still period, from 1; 0: given with the goal
 };
 
 class LessonImages {
  public:
-  /// The arguments outlive it.
+  /// The arguments must outlive this object.
   LessonImages(const mbncc_vision::LearnObjectGoal& goal, ImageFeed& feed, const LessonGauge& gauge,
                LessonFeedback& feedback);
 
-  /// Returns when the goal's images are there; ends the lesson if they cannot be had.
+  /// Returns when the images that the goal needs are available; ends the lesson if they cannot be
+  /// obtained.
   void take();
 
   /// Whether the image after can be replaced by a later one.
   bool can_wait_on() const;
 
-  /// Waits for another change: those images show no departure, so that what was put down belongs
-  /// to the scene from now on.
+  /// Waits for another change, because the current images do not show that an object has left.
+  /// Things that were put down belong to the scene from now on.
   void wait_on();
 
   const LessonImage& before() const { return before_; }
   const LessonImage& after() const { return after_; }  ///< empty: the goal's mode needs none
 
-  /// Of the image before. Looked up again while it is not known, because tf or camera_info may
-  /// arrive slightly later than the image.
+  /// The calibration of the image before. It is looked up again if it was unknown, because tf or
+  /// camera_info may arrive slightly later than the image.
   const Calibration& calibration();
 
  private:
@@ -68,8 +70,8 @@ class LessonImages {
   const LessonGauge& gauge_;
   LessonFeedback& feedback_;
   Demonstration demonstration_;
-  bool camera_moved_ = false;  // which is why the image before is of no use
-  double followed_at_ = 0;     // [s] stamp of the image in which the camera was last looked for
+  bool camera_moved_ = false;  // which made the image before useless
+  double followed_at_ = 0;     // [s] stamp of the last image checked for camera motion
   LessonImage before_, after_;
   Calibration calibration_;  // of the image before
 };

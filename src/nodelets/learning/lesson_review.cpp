@@ -36,7 +36,7 @@ std::vector<LessonEdit::Line> lines_of(const std::vector<geometry_msgs::Polygon>
   return lines;
 }
 
-/// Throws std::invalid_argument with a sentence.
+/// Converts a request. Throws std::invalid_argument with a message if it is invalid.
 LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   LessonEdit edit;
   edit.include = lines_of(request.include);

@@ -11,13 +11,14 @@ namespace mbncc::nodelets {
 /// Accepts commands while it exists; a call that is pending at its end is refused.
 class LessonReview {
  public:
-  /// The references outlive it. `further_view`: the frame is the stored object's.
+  /// The references must outlive this object. `image` is the size [px] of the learning image. With
+  /// `further_view`, the object's frame is that of the stored object and cannot be moved.
   LessonReview(Confirmation& desk, LessonDraft& draft, LessonFeedback& feedback, cv::Size image,
                bool further_view);
   ~LessonReview();
 
-  /// Carries out edits until the operator accepts what may be stored (true) or rejects (false). The
-  /// call that decided then waits for answer().
+  /// Carries out edits until the operator accepts a draft that may be stored (true) or rejects it
+  /// (false). The service call that decided then waits for answer().
   bool is_accepted();
 
   void answer(bool success, const std::string& message);

@@ -25,7 +25,8 @@ class LessonClient {
  public:
   using Handle = actionlib::ActionServer<mbncc_vision::LearnObjectAction>::GoalHandle;
 
-  /// `timeout` [s] of the whole lesson; 0: `default_timeout` until the operator is asked.
+  /// `timeout` [s] limits the whole lesson; if it is 0, `default_timeout` [s] limits the part
+  /// before the operator's review.
   LessonClient(Handle handle, double timeout, double default_timeout);
 
   const mbncc_vision::LearnObjectGoal& goal() const { return *goal_; }
@@ -33,7 +34,7 @@ class LessonClient {
   /// Why the lesson must end now: cancelled or out of time. None: it may continue.
   std::optional<LearnError> interruption() const;
 
-  /// The review begins, which has no time limit unless the goal itself set a timeout.
+  /// Call this when the review begins. It has no time limit unless the goal set a timeout.
   void wait_for_operator();
 
   /// [s] until the deadline, by the steady clock; none if there is no deadline.
@@ -54,13 +55,13 @@ class LessonClient {
   float progress_ = 0;
 };
 
-/// actionlib stores goals for seconds after their end for late clients. Goals contain images, and
-/// hundreds may be sent.
+/// Action server that drops the images of finished goals: actionlib stores goals for some seconds
+/// after their end for late clients, and hundreds may be sent.
 class LessonActionServer : public actionlib::ActionServer<mbncc_vision::LearnObjectAction> {
  public:
   using actionlib::ActionServer<mbncc_vision::LearnObjectAction>::ActionServer;
 
-  /// Only id and status of goals without references stay.
+  /// Drops the contents of goals that no handle refers to; their id and status stay.
   void forget_images();
 
  private:
@@ -72,12 +73,12 @@ class LessonServer {
   /// Result to reject a goal with, or none to accept it. Called on the callback thread.
   using Admit = std::function<std::optional<mbncc_vision::LearnObjectResult>(
       const mbncc_vision::LearnObjectGoal&)>;
-  /// Teaches; called on the worker thread. Must return soon after an interruption().
+  /// Runs a lesson; called on the worker thread. Must return soon after an interruption().
   using Teach = std::function<mbncc_vision::LearnObjectResult(LessonClient&)>;
 
   LessonServer(ros::NodeHandle node, const std::string& name, double default_timeout, Admit admit,
                Teach teach);
-  /// As end().
+  /// Calls end().
   ~LessonServer();
 
   bool busy() const;
@@ -97,7 +98,7 @@ class LessonServer {
   const double default_timeout_;
   const Admit admit_;
   const Teach teach_;
-  mutable std::mutex mutex_;  // never held while calling the action server, which has its own
+  mutable std::mutex mutex_;  // never held while calling the action server, which has its own mutex
   std::condition_variable changed_;
   std::shared_ptr<LessonClient> running_;
   bool accepted_ = false;

@@ -17,10 +17,11 @@ namespace mbncc::nodelets {
 
 class LessonSession {
  public:
-  /// `client` and `tools` outlive it.
+  /// `client` and `tools` must outlive this object.
   LessonSession(LessonClient& client, const LessonTools& tools);
 
-  /// Failures of images, region, operator and library are reported in the result.
+  /// Runs the lesson. Failures due to images, region, operator or library are reported in the
+  /// result.
   mbncc_vision::LearnObjectResult run();
 
  private:

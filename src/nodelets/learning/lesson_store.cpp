@@ -12,7 +12,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-/// Where the object was put aside; "": it was not found again.
+/// Sentence about where the object was put aside; "" if it was not found again.
 std::string second_view(const LearnResult& learned) {
   const auto& seen = learned.put_aside;
   if (!seen) return "";
@@ -70,8 +70,8 @@ ObjectModel LessonStore::save(ObjectModel model, const Calibration& calibration,
   });
 }
 
-/// Uses the model's newest view, the one of this lesson; a known object keeps its scale. Returns a
-/// message about missing data.
+/// Adds scale and grasp to the model, measured in its newest view, which is that of this lesson. An
+/// object that gets a further view keeps its scale. Returns a message about missing data.
 std::string LessonStore::measure(ObjectModel& model, const Calibration& calibration) const {
   const bool live = images_.before().number > 0;
   const LessonMeasures measures =

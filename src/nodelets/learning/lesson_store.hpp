@@ -16,11 +16,13 @@ namespace mbncc::nodelets {
 
 class LessonStore {
  public:
-  /// For a lesson that begins now; the references outlive it. `name` of the object.
+  /// For a lesson that begins now. The references must outlive this object. `name` is the name of
+  /// the object.
   LessonStore(const mbncc_vision::LearnObjectGoal& goal, std::string name, const LessonTools& tools,
               const LessonImages& images);
 
-  /// The result for the client, also of a failure. `calibration` gives scale and grasp.
+  /// Stores the object and returns the result for the client, also after a failure. Scale and grasp
+  /// are computed from `calibration`.
   mbncc_vision::LearnObjectResult store(const LearnResult& learned, const Calibration& calibration);
 
  private:

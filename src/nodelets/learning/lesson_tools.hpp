@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a lesson works with.
+// Dependencies and settings of a lesson.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@
 
 namespace mbncc::nodelets {
 
-/// All outlive the lesson.
+/// The references must outlive the lesson.
 struct LessonTools {
   ImageFeed& images;
   SharedLibrary& library;
@@ -22,7 +22,7 @@ struct LessonTools {
   const LessonGauge& gauge;
   const LessonDisplay& display;
   LearningConfig config;
-  SearchConfig search;    ///< that will look for the object
+  SearchConfig search;    ///< settings with which the object will be searched
   std::string cell_name;  ///< stored with the object
 };
 

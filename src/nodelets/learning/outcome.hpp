@@ -13,13 +13,13 @@
 
 namespace mbncc::nodelets {
 
-/// Result with code, message and hint of `error`; texts given here replace the defaults.
+/// Result with code, message and hint of `error`; texts that are not empty replace the defaults.
 mbncc_vision::LearnObjectResult outcome(LearnError error, const std::string& message = "",
                                         const std::string& hint = "");
 
 mbncc_vision::LearnObjectResult outcome(const Refusal& refusal);
 
-/// With the object, where there is one, learned from `image`.
+/// Result of learning from `image`, with the object if there is one.
 mbncc_vision::LearnObjectResult outcome(const LearnResult& learned, const LessonImage& image);
 
 /// `result` with the object, its newest view's map and template, and the preview.
