@@ -19,14 +19,15 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
-constexpr double kNotableYawError = 0.25;  // [degrees]
+constexpr double kNotableYawError = 0.25;  // [degrees] smallest yaw error that is reported
 
 bool any_enabled(const LibrarySnapshot& library) {
   return std::any_of(library.objects.begin(), library.objects.end(),
                      [](const auto& object) { return object->enabled; });
 }
 
-/// Only what makes yaw less certain than the search usually does is worth a message.
+/// Message about tilt and distortion if they make yaw less certain than the search usually does;
+/// otherwise "".
 std::string advice_on_distortion(const Calibration& calibration) {
   const double yaw = to_degrees(yaw_error_of(calibration.distortion));
   if (yaw < kNotableYawError) return "";
@@ -39,8 +40,8 @@ std::string advice_on_distortion(const Calibration& calibration) {
   return text.str();
 }
 
-/// The most important status for a controller: a pose without metres or in a wrong frame would move
-/// an arm wrongly, whereas objects that were not searched are only missed.
+/// Sets the status that is most important for a controller: a pose that is not in metres or is in a
+/// wrong frame would move an arm wrongly, whereas objects that were not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
                 const Calibration& calibration, const SearchResult& result,
                 const std::string& target_fault) {
@@ -64,7 +65,7 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
   }
 }
 
-/// The object's frame, rotated by half a turn about its x.
+/// Rotates the object's frame by half a turn about its x axis.
 void turn_over(DetectedObject& object) {
   object.pose.pose = compose(object.pose.pose, half_turn_about_x());
   for (auto& corner : object.footprint.points) {
@@ -197,8 +198,8 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
     array.header.frame_id = config_.target_frame;
     return "";
   } catch (const tf2::TransformException& error) {
-    // The status is TF_UNAVAILABLE then, and no frame is sent: a frame must not change its parent
-    // between camera and target_frame.
+    // The fault sets the status TF_UNAVAILABLE, so that no frame is sent: a frame must not change
+    // its parent between camera and target_frame.
     return "target_frame: " + tf_fault(error);
   }
 }

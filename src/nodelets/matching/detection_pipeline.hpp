@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Processes an image to its DetectedObjectArray: search, tracking, conversion to metres, message.
+// Converts an image to a DetectedObjectArray: search, tracking, conversion to metres, message.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -25,7 +25,7 @@ struct TrackedImage {
   std::vector<TrackedMatch> matches;
 };
 
-/// The messages about an image; the library provides the grasps.
+/// The message about an image, and the library that was searched.
 struct Detections {
   mbncc_vision::DetectedObjectArray array;
   SharedLibrary::Snapshot library;
@@ -35,10 +35,10 @@ struct Detections {
 struct ReceivedImage {
   cv::Mat image;  ///< CV_8UC3
   std_msgs::Header header;
-  sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: none fits
+  sensor_msgs::CameraInfoConstPtr camera_info;  ///< null: no calibration fits
 };
 
-/// Settings of the tracker.
+/// The tracker's settings, taken from those of the nodelet.
 TrackerConfig tracker_config(const MatchingNodeConfig& config);
 
 /// Searches one image after the other.
@@ -46,7 +46,8 @@ class ImageSearch {
  public:
   virtual ~ImageSearch() = default;
 
-  /// Applies from the next image on. Throws std::invalid_argument if the tracker refuses it.
+  /// The settings apply from the next image on. Throws std::invalid_argument if the tracker refuses
+  /// them.
   virtual void configure(const MatchingNodeConfig& config) = 0;
 
   virtual Detections process(const ReceivedImage& received, const SearchRequest& request) = 0;
@@ -61,7 +62,7 @@ class ImageSearch {
 
 class DetectionPipeline : public ImageSearch {
  public:
-  /// `matcher` and `tf` outlive the pipeline.
+  /// `matcher` and `tf` must outlive the pipeline.
   DetectionPipeline(const MatchingNodeConfig& config, const LiveMatcher& matcher,
                     const tf2_ros::Buffer& tf);
 
@@ -83,7 +84,7 @@ class DetectionPipeline : public ImageSearch {
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
                                         const Calibration& calibration) const;
   void wait_for_tf(const std_msgs::Header& header) const;
-  /// The fault; "" if the poses are in target_frame.
+  /// Converts the poses to target_frame. Returns the fault; "" if there is none.
   std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;
 
   MatchingNodeConfig config_;

@@ -81,7 +81,7 @@ void DetectionPublisher::publish_fault(std::uint8_t status, const std_msgs::Head
   array.message = message;
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
-  markers_.publish(to_markers(array));  // none: marked objects may have been moved
+  markers_.publish(to_markers(array));  // deletes the markers: the objects may have been moved
 }
 
 }  // namespace mbncc::nodelets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes everything about a searched image: detections, tf, overlay, markers, and the messages
+// Publishes the results of a searched image: detections, tf, overlay and markers, and messages
 // without objects if images stop or cannot be searched.
 #pragma once
 
@@ -29,7 +29,8 @@ class DetectionPublisher {
   /// Whether any of the topics has a subscriber.
   bool has_listeners() const;
 
-  /// Largest similarity at each place of an image, CV_32FC1; computed only with a subscriber.
+  /// Computes the largest similarity at each pixel of an image, CV_32FC1. Called only if a
+  /// subscriber needs it.
   using ScoreMap = std::function<cv::Mat()>;
 
   struct Extras {
@@ -37,8 +38,8 @@ class DetectionPublisher {
     bool scores_under_overlay;  ///< draw the overlay over the score map
   };
 
-  /// Objects that have become too old during the search are no longer confirmed. Returns the
-  /// latency [s].
+  /// Publishes the detections. Objects that have become too old during the search are no longer
+  /// confirmed. Returns the latency [s].
   double publish(Detections detections, const cv::Mat& image, const ScoreMap& score_map,
                  const Extras& extras);
 
@@ -47,7 +48,7 @@ class DetectionPublisher {
   void publish_fault(std::uint8_t status, const std_msgs::Header& header,
                      const std::string& message);
 
-  /// The clock has jumped back.
+  /// Call this when the clock has jumped back.
   void reset() { frames_.reset(); }
 
  private:

@@ -15,10 +15,10 @@ namespace mbncc::nodelets {
 namespace {
 
 constexpr double kPatience = 5;        // [s] for the next live image
-constexpr std::size_t kExplained = 3;  // objects, the likeliest
+constexpr std::size_t kExplained = 3;  // number of objects, the likeliest first
 constexpr const char* kFolder = ".misses";
 
-/// What lies there may be an object that is not searched.
+/// Adds a line that names the disabled objects, because the object in the image may be one of them.
 void add_disabled(SavedMiss& miss) {
   std::string names;
   for (const auto& object : miss.objects)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The ~explain service: explains why objects are found at a place in an image or not.
+// The ~explain service: explains why objects are, or are not, found at a place in an image.
 #pragma once
 
 #include <mbncc_vision/ExplainPlace.h>
@@ -17,12 +17,12 @@
 
 namespace mbncc::nodelets {
 
-/// Dependencies of the service; all outlive the service.
+/// Dependencies of the service; all must outlive it.
 struct ExplainTools {
   std::function<MatchingNodeConfig()> config;
   const LiveMatcher& matcher;
   ImageWait& images;
-  std::function<void()> wants_changed;  ///< called when a live image is needed, or no longer
+  std::function<void()> wants_changed;  ///< called when live images become needed or unneeded
 };
 
 class ExplainService {
@@ -37,7 +37,7 @@ class ExplainService {
   bool on_call(Request& request, Response& response);
   void explain(const Request& request, Response& response) const;
   sensor_msgs::Image live_image() const;
-  /// Returns the file.
+  /// Writes the case to a file in the library folder and returns its path.
   std::string save(const SavedMiss& miss) const;
 
   const ExplainTools tools_;

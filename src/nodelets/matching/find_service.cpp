@@ -22,7 +22,7 @@ constexpr double kDefaultTimeout = 5;   // [s]
 constexpr double kLongestTimeout = 60;  // [s]
 constexpr std::uint32_t kMostFrames = 100;
 constexpr std::size_t kMostNames = 1000;
-constexpr int kMostCalls = 4;  // at a time
+constexpr int kMostCalls = 4;  // number of calls at a time
 
 [[noreturn]] void refuse(const std::string& sentence) {
   throw std::invalid_argument(sentence);
@@ -56,8 +56,8 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
   return search;
 }
 
-/// All objects are searched so that look-alikes compete; the answer contains only the requested
-/// ones.
+/// Removes the objects that were not requested. All objects are searched, so that look-alikes
+/// compete.
 void keep_named(DetectedObjectArray& array, const std::vector<std::string>& names,
                 const LibrarySnapshot& library) {
   if (names.empty()) return;
@@ -78,12 +78,13 @@ void keep_named(DetectedObjectArray& array, const std::vector<std::string>& name
   }
 }
 
-/// Every call tracks its own instances, whose numbers would be confused with those of the stream.
+/// Removes the instance ids. Every call tracks its own instances, whose ids would be confused with
+/// those of the stream.
 void leave_unnumbered(DetectedObjectArray& array) {
   for (auto& object : array.objects) object.instance_id = 0;
 }
 
-/// Keeps the subscription to live images.
+/// Keeps the subscription to live images while it exists.
 class Listening {
  public:
   explicit Listening(const FindTools& tools) : tools_(tools) {
@@ -125,7 +126,7 @@ ros::NodeHandle with_queue(ros::NodeHandle node, ros::CallbackQueue& queue) {
 
 }  // namespace
 
-// One thread more than calls, to refuse further calls.
+// There is one more thread than calls at a time, so that further calls are refused at once.
 FindService::FindService(ros::NodeHandle node, const FindTools& tools)
     : tools_(tools),
       spinner_(kMostCalls + 1, &queue_),

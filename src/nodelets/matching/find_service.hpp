@@ -21,14 +21,14 @@
 
 namespace mbncc::nodelets {
 
-/// Dependencies of the service; all outlive the service.
+/// Dependencies of the service; all must outlive it.
 struct FindTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
   const tf2_ros::Buffer& tf;
   const CameraInput& camera;
   ImageWait& images;
-  /// Called when a live image is needed, or no longer.
+  /// Called when live images become needed or unneeded.
   std::function<void()> wants_changed;
 };
 
@@ -39,10 +39,11 @@ class FindService {
 
   /// Calls run on separate threads, a few at a time; further calls return BUSY at once.
   FindService(ros::NodeHandle node, const FindTools& tools);
-  /// As close().
+  /// Calls close().
   ~FindService() { close(); }
 
-  /// Accepts no more calls and waits for running ones; ImageWait::close() ends their waiting.
+  /// Accepts no more calls and waits for running ones. ImageWait::close() ends their waiting for
+  /// images.
   void close();
 
  private:
@@ -59,7 +60,7 @@ class FindService {
   std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
 
   const FindTools tools_;
-  std::atomic<int> calls_{0};   // that run
+  std::atomic<int> calls_{0};   // number of running calls
   std::timed_mutex searching_;  // one search at a time, in parallel to that of the stream
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_;

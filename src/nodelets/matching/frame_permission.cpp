@@ -12,7 +12,7 @@ namespace {
 using mbncc_vision::DetectedObject;
 using mbncc_vision::DetectedObjectArray;
 
-// An object that has become too old by then is no longer confirmed.
+// Fills in the latency; an object that is too old at `now` is no longer confirmed.
 void note_age(DetectedObjectArray& array, const ros::Time& now) {
   array.latency = static_cast<float>((now - array.header.stamp).toSec());
   for (auto& object : array.objects) {

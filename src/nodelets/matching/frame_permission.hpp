@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Decides which tf frames may be sent: the only place that does. Every array passes here before it
-// leaves the nodelet.
+// Decides which tf frames may be sent. Nothing else decides this: every array passes through here
+// before it leaves the nodelet.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -8,10 +8,11 @@
 
 namespace mbncc::nodelets {
 
-/// Fills in the latency of an array that leaves `now`. Objects that are too old by then are no
-/// longer confirmed. Removes the frame ids of all objects but the graspable ones (graspable.hpp)
-/// with a finite pose; of all if frames are not `wanted`: publish_tf is off, or the array answers a
-/// service, whose instances are not those of the stream.
+/// Fills in the latency of an array that is published at `now`. Objects that are too old by then
+/// are no longer confirmed. Removes the frame ids of all objects except the graspable ones
+/// (graspable.hpp) with a finite pose. If frames are not `wanted`, removes all frame ids:
+/// publish_tf is off, or the array answers a service call, whose instances are not those of the
+/// stream.
 void permit_frames(mbncc_vision::DetectedObjectArray& array, const ros::Time& now, bool wanted);
 
 }  // namespace mbncc::nodelets

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The graspable part of an array, for programs that do not evaluate states.
+// Selects the graspable objects of an array, for programs that do not evaluate states.
 #pragma once
 
 #include <mbncc_vision/DetectedObjectArray.h>
@@ -11,12 +11,12 @@ namespace mbncc::nodelets {
 /// Pointers to objects of an array, in its order; the array must outlive them.
 using ObjectList = std::vector<const mbncc_vision::DetectedObject*>;
 
-/// Whether the array's poses in metres may be used to move.
+/// Whether a robot may be moved by the array's poses in metres.
 inline bool is_reliable(const mbncc_vision::DetectedObjectArray& detections) {
   return detections.status == detections.OK || detections.status == detections.BUDGET_EXCEEDED;
 }
 
-/// The CONFIRMED objects, at least in pixels.
+/// The CONFIRMED objects. Their poses are valid at least in pixels.
 inline ObjectList confirmed(const mbncc_vision::DetectedObjectArray& detections) {
   ObjectList objects;
   if (!is_reliable(detections) && detections.status != detections.UNCALIBRATED &&
@@ -27,7 +27,7 @@ inline ObjectList confirmed(const mbncc_vision::DetectedObjectArray& detections)
   return objects;
 }
 
-/// Those of them with a usable pose in metres.
+/// The CONFIRMED objects with a usable pose in metres.
 inline ObjectList graspable(const mbncc_vision::DetectedObjectArray& detections) {
   ObjectList objects;
   if (!is_reliable(detections)) return objects;

@@ -12,7 +12,7 @@ namespace mbncc::nodelets {
 
 class ImageWait {
  public:
-  /// Camera side: passes every image on; stores it only while a call waits.
+  /// Camera side: call this with every image. It is stored only while a call waits.
   void offer(const sensor_msgs::ImageConstPtr& image);
 
   /// Service side: images are wanted from enter() to leave().
@@ -24,7 +24,7 @@ class ImageWait {
   /// steady clock, or after close().
   sensor_msgs::ImageConstPtr next(const ros::Time& after, double timeout);
 
-  /// Ends every wait, now and later.
+  /// Makes current and later calls of next() return null.
   void close();
 
  private:

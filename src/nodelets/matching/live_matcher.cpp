@@ -25,13 +25,13 @@ bool same_values(SearchConfig a, SearchConfig b) {
 }
 
 // Removes objects that cannot be searched, or were learned in images of another size, from
-// `names`.
+// `names`. Returns a message for each of them.
 std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
                                     const std::map<std::string, std::string>& unsearchable,
                                     cv::Size size, std::vector<std::string>& names) {
   std::vector<std::string> fitting, dropped;
   for (const auto& name : names)
-    if (!library.find(name)) fitting.push_back(name);  // the matcher says that it is unknown
+    if (!library.find(name)) fitting.push_back(name);  // the matcher reports it as unknown
   for (const auto& object : library.objects) {
     if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
     const cv::Size learned = object->views.front().image_size;
@@ -78,8 +78,8 @@ Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& image,
   const std::vector<std::string> asked = request.names;
   const auto dropped = drop_unfit(*searched_, matcher_.unsearchable(), image.size(), request.names);
   const bool any = !request.names.empty();
-  // Another request would restart the video search; taught or deleted objects do not change the
-  // request.
+  // A different request would restart the video search, so the request must not change when objects
+  // are taught or deleted.
   if (dropped.empty()) request.names = asked;
   if (any) found.result = video.find(matcher_, stamp, image, request);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Matcher and library: searches with the newest library, which may change at any time.
+// Searches with the newest state of the library, which may change at any time.
 #pragma once
 
 #include <cstdint>
@@ -27,17 +27,19 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  /// Applies to every search from now on; true if it changes anything. If more than min_score and
-  /// max_instances changes, the objects are prepared again, which takes some milliseconds each.
+  /// The settings apply to every search from now on. Returns true if they differ from the current
+  /// ones. If more than min_score and max_instances changes, the objects are prepared again, which
+  /// takes some milliseconds each.
   bool configure(const SearchConfig& config);
 
   /// Searches objects learned in images of this size; the others, and those that cannot be
   /// searched, are listed as skipped. The least recently searched come first, so that a time budget
-  /// does not exclude any. Nothing is searched while the library cannot be read, because deleted
-  /// objects must not be found. Thread-safe.
+  /// does not always exclude the same ones. Nothing is searched while the library cannot be read,
+  /// because deleted objects must not be found. Thread-safe.
   Found find(const cv::Mat& image, SearchRequest request) const;
 
-  /// As find(), with the next image, stamped `stamp` [s], of the video searched by `video`.
+  /// Like find(), for the next image of the video that `video` searches; `stamp` [s] is that of the
+  /// image.
   Found watch(VideoSearch& video, double stamp, const cv::Mat& image, SearchRequest request) const;
 
   /// See Matcher::score_map(), for all enabled objects. Thread-safe.
@@ -62,11 +64,11 @@ class LiveMatcher {
   void note_searched(const std::vector<std::string>& names) const;
 
   mutable std::mutex turns_mutex_;
-  mutable std::map<std::string, std::uint64_t> last_turn_;  // by name
+  mutable std::map<std::string, std::uint64_t> last_turn_;  // last search of each object
   mutable std::uint64_t turns_ = 0;
   mutable std::shared_mutex mutex_;
   Matcher matcher_;
-  SharedLibrary::Snapshot searched_;  // what matcher_ holds
+  SharedLibrary::Snapshot searched_;  // the library whose objects matcher_ holds
   std::string unreadable_;            // why the library cannot be read; "": it can
   SharedLibrary library_;
 };

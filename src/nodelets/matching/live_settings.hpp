@@ -12,7 +12,7 @@ class LiveSettings {
  public:
   explicit LiveSettings(const MatchingNodeConfig& config) : initial_(config), current_(config) {}
 
-  /// As the nodelet was started.
+  /// The settings with which the nodelet was started.
   const MatchingNodeConfig& initial() const { return initial_; }
 
   MatchingNodeConfig get() const {

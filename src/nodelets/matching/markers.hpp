@@ -8,8 +8,8 @@
 namespace mbncc::nodelets {
 
 /// The outline in metres, the axes (x vermilion, y green) and a caption with the state for every
-/// object with a metric pose; first of all a DELETEALL, so that lost objects are deleted. They also
-/// expire without updates.
+/// object with a pose in metres. The first marker is a DELETEALL, which removes lost objects.
+/// Markers also expire without updates.
 visualization_msgs::MarkerArray to_markers(const mbncc_vision::DetectedObjectArray& detections);
 
 }  // namespace mbncc::nodelets

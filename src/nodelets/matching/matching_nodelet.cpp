@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Finds learned objects in the camera's images. Wiring only.
+// Finds learned objects in the camera's images. Only connects the parts.
 #include <mbncc_vision/LearnedObjectArray.h>
 #include <mbncc_vision/ListObjects.h>
 #include <ros/callback_queue.h>
@@ -135,7 +135,7 @@ void MatchingNodelet::open_library() {
   side_node.setCallbackQueue(&side_queue_);
   matcher_ =
       std::make_unique<LiveMatcher>(settings_->initial().search, settings_->initial().library_path);
-  // The published library reports a change sooner than the check of the folder.
+  // The topic reports a change sooner than the periodic check of the folder.
   library_subscriber_ = side_node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
       [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { look_for_changes(); });
@@ -176,7 +176,7 @@ void MatchingNodelet::start_services() {
 }
 
 void MatchingNodelet::start_watching() {
-  // A wall timer, because a simulated clock may stop, which also stops images.
+  // A wall timer, because a simulated clock may stop, and then images stop as well.
   silence_timer_ = node().createWallTimer(
       ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kMatchingTask,

@@ -39,7 +39,7 @@ Marking marking_of(const DetectedObject& object) {
   return marking;
 }
 
-// Letters of the legend and of the score map.
+// Text style of the legend and the score map.
 struct Letters {
   explicit Letters(double width)
       : size(std::clamp(width / 850, 0.25, 3.0)), stroke(static_cast<int>(width) / 640 + 1) {
@@ -66,7 +66,7 @@ std::string age_of(const mbncc_vision::DetectedObjectArray& detections) {
 constexpr std::uint8_t kExplained[] = {DetectedObject::CONFIRMED, DetectedObject::AMBIGUOUS,
                                        DetectedObject::NEW};
 
-/// Scaled to the image's width.
+/// Letters scaled so that the legend fits into the image's width.
 Letters letters_of_legend(int width, const std::string& age) {
   const Letters letters(width);
   int needed = letters.width_of(age) + letters.height;
@@ -106,7 +106,8 @@ Peak peak_of(const cv::Mat& scores, const cv::Mat& mask = {}) {
   return peak;
 }
 
-/// Beside the peak, and below or above `taken` if that is there; returns where it is.
+/// Writes `text` beside the peak, or below or above `taken` if they would overlap. Returns the box
+/// of the text.
 cv::Rect name_peak(cv::Mat& image, const Peak& peak, const char* text, int radius,
                    const cv::Rect& taken = {}) {
   const Letters letters(2 * image.cols);

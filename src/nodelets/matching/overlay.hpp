@@ -14,7 +14,7 @@ namespace mbncc::nodelets {
 /// it.
 cv::Mat draw_detections(const cv::Mat& image, const mbncc_vision::DetectedObjectArray& detections);
 
-/// CV_8UC3 of a score map (CV_32FC1, 0 .. 1): dark blue is 0, yellow is 1.
+/// A score map (CV_32FC1, 0 .. 1) in colours, CV_8UC3: dark blue is 0, yellow is 1.
 cv::Mat colour_score_map(const cv::Mat& scores);
 
 /// colour_score_map() with a ring around the best place and a square around the best one farther

@@ -11,13 +11,13 @@
 namespace mbncc::nodelets {
 
 struct SearchStatistics {
-  std::uint64_t arrived = 0;    ///< images
+  std::uint64_t arrived = 0;    ///< images received
   std::uint64_t overtaken = 0;  ///< replaced by newer ones before they were searched
   std::uint64_t searched = 0;
-  std::uint64_t refused = 0;  ///< encoding, layout, or search_roi outside
+  std::uint64_t refused = 0;  ///< bad encoding or layout, or search_roi outside the image
   std::uint64_t failed = 0;   ///< searches that ended in an exception
   std::uint64_t badly_stamped = 0;
-  std::string last_fault;   ///< of a refused or badly stamped image
+  std::string last_fault;   ///< of the last refused or badly stamped image
   double search_time = 0;   ///< [s] of the last search
   double latency = 0;       ///< [s] from the last image's stamp to its publication
   std::string message;      ///< of the last array; empty: no fault

@@ -17,7 +17,7 @@ using mbncc_vision::DetectedObjectArray;
 
 namespace {
 
-/// `age` [s] of the image by this machine's clock.
+/// Message about an image's stamp; `age` [s] is that of the image by this machine's clock.
 std::string stamp_fault(StampGate::Verdict verdict, double age) {
   std::string fault = std::string("an image's stamp is ") + to_string(verdict);
   if (verdict == StampGate::Verdict::kLate || verdict == StampGate::Verdict::kAhead) {
@@ -175,7 +175,7 @@ void SearchWorker::look_for_silence(bool expected) {
     statistics.message = reason;
     statistics.unreliable = true;
   });
-  // Confirmed objects may have been moved meanwhile, unless the search itself takes long.
+  // Confirmed objects may have been moved in the meantime, unless a long search is the reason.
   if (!searching_) ++era_;
 }
 

@@ -35,14 +35,14 @@ class SearchWorker {
   explicit SearchWorker(const SearchTools& tools);
   ~SearchWorker();
 
-  /// Passes an image on; never blocks. If queue_size images wait, the oldest is dropped.
+  /// Queues an image; never blocks. If queue_size images wait, the oldest is dropped.
   void put(const sensor_msgs::ImageConstPtr& message);
 
-  /// Called periodically: publishes STALE if expected images do not arrive.
+  /// Call this periodically. Publishes STALE if expected images do not arrive.
   void look_for_silence(bool expected);
 
-  /// Invalidates earlier detections and images that are not published yet. The time without
-  /// images counts from now.
+  /// Invalidates earlier detections and images whose results are not published yet. The time
+  /// without images counts from now.
   void begin_anew();
 
   SearchStatistics statistics() const { return statistics_.get(); }
@@ -62,13 +62,13 @@ class SearchWorker {
   SharedStatistics statistics_;
   StaleWatch silence_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
-  std::atomic<unsigned> era_{0};  // incremented by every begin_anew()
+  std::atomic<unsigned> era_{0};  // incremented when earlier detections become invalid
   std::atomic<bool> searching_{false};
-  // Of the worker thread alone.
+  // Used by the worker thread only.
   unsigned pipeline_era_ = 0;
   SearchRequest request_;
   StampGate gate_;
-  RateLimit rate_;  // of images with a published message
+  RateLimit rate_;  // counts images with a published message
   std::thread worker_;
 };
 

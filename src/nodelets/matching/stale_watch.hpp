@@ -11,11 +11,11 @@ class StaleWatch {
  public:
   using Clock = std::chrono::steady_clock;
 
-  /// Reports `stale_after` [s] without images, and repeats it every second; the time counts from
-  /// now.
+  /// A report is due after `stale_after` [s] without images, counted from now, and then every
+  /// second.
   explicit StaleWatch(double stale_after) : stale_after_(stale_after) { restart(); }
 
-  /// Something was published, or nothing was expected: the time counts from now.
+  /// Call this when something was published or nothing is expected: the time counts from `now`.
   void restart(Clock::time_point now = Clock::now()) {
     const std::lock_guard<std::mutex> lock(mutex_);
     next_report_ = now + std::chrono::duration_cast<Clock::duration>(stale_after_);
