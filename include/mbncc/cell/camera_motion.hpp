@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Distinguishes a moved camera from objects moved in front of it, so that the message to the
-// operator does not blame an arm.
+// Distinguishes a moved camera from objects that moved in front of it, so that the operator is told
+// the actual cause.
 #pragma once
 
 #include <opencv2/core.hpp>
 
 namespace mbncc {
 
-/// Whether nearly all that can be followed from one image to the other has been displaced.
-/// CV_8UC3, of one size. Where there is too little texture to follow: false.
+/// Whether nearly all textured parts of the scene were displaced between the images (CV_8UC3, same
+/// size). False if there is too little texture to tell.
 bool camera_moved(const cv::Mat& before, const cv::Mat& after);
 
 }  // namespace mbncc

@@ -26,8 +26,8 @@ class ChangeMap {
   /// Whether the newest image differs from the reference within `region` [px].
   bool touches(const cv::Rect& region) const;
 
-  /// Changed patches [px] that are at rest again, or have been changing for long. update() has
-  /// added them to the reference, so each is reported once.
+  /// Changed patches [px] that are at rest again, or have been changing for too long. update() has
+  /// copied them into the reference, so each is reported once.
   const std::vector<cv::Rect>& settled() const { return settled_; }
 
   /// Whether so much differs that the camera was probably moved or the light switched.
@@ -46,7 +46,7 @@ class ChangeMap {
   void take_to_records(const cv::Mat& cells, const cv::Mat& which);
 
   cv::Mat records_;              // CV_32FC3 or CV_32FC1, one pixel per cell
-  std::deque<Earlier> earlier_;  // 8 bits, oldest first
+  std::deque<Earlier> earlier_;  // cells of earlier images, 8 bits, oldest first
   cv::Mat changed_;              // CV_8UC1, 255: differs from the reference
   cv::Scalar gain_;              // of the newest image relative to the reference, per channel
   double calm_at_ = 0;           // [s] last time without a changing patch

@@ -20,17 +20,17 @@ class Demonstration {
     kWaitStill,    ///< keep out of the image: the scene before is not still yet
     kWaitRemoval,  ///< take the object away
     kMoving,       ///< something moves
-    kAtBorder,     ///< something has come that reaches into the image
+    kAtBorder,     ///< something new reaches into the image from its border
     kReady
   };
 
   /// Why the scene before was replaced.
   enum class Anew {
     kNot,
-    kLight,       ///< the light has changed, nothing else
-    kEdgeLeft,    ///< what reached out of the image at the start has left
+    kLight,       ///< only the light has changed
+    kEdgeLeft,    ///< something that crossed the image's border at the start has left
     kEverything,  ///< nearly the whole image has changed
-    kPutDown      ///< something was put down, or lies where it covers its old place
+    kPutDown      ///< something was put down, or the object partly covers its old place
   };
 
   Demonstration() = default;
@@ -42,23 +42,24 @@ class Demonstration {
   /// one before are ignored.
   Step look(const std::optional<StillShot>& still);
 
-  /// Continues when no object has left: the operator is not done, or something was put down, which
-  /// then belongs to the scene before; a given image stays. Call look() again.
+  /// Continues after kReady if no object has left: the operator is not done, or something was put
+  /// down, which then belongs to the scene before. An image that was passed to the constructor is
+  /// kept. Call look() again.
   void go_on();
 
-  /// The last reason; kPutDown after go_on().
+  /// Why the scene before was last replaced; kPutDown after go_on().
   Anew anew() const { return anew_; }
 
-  const StillShot& before() const { return before_; }  ///< once look() has asked for the removal
-  const StillShot& after() const { return after_; }    ///< once look() has said kReady
+  const StillShot& before() const { return before_; }  ///< valid once look() returned kWaitRemoval
+  const StillShot& after() const { return after_; }    ///< valid once look() returned kReady
 
  private:
   Step judge(const StillShot& still);
   void compare(const StillShot& still);
 
   StillShot before_, after_;
-  std::uint64_t seen_ = 0;  // still period judged last
-  double compared_at_ = 0;  // [s] stamp of the image judged last
+  std::uint64_t seen_ = 0;  // still period that was compared last
+  double compared_at_ = 0;  // [s] stamp of the image that was compared last
   SceneChange change_ = SceneChange::kNone;
   Anew anew_ = Anew::kNot;
 };

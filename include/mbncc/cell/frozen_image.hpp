@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects a camera that repeats the same image; in live images the noise differs.
+// Detects a camera that repeats the same image; the noise of live images differs.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -16,7 +16,7 @@ class FrozenImage {
 
  private:
   cv::Mat last_;
-  int equal_ = 0;  // in a row, up to last_
+  int equal_ = 0;  // identical images in a row, up to last_
 };
 
 }  // namespace mbncc

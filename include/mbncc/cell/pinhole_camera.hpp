@@ -25,7 +25,7 @@ struct PinholeCamera {
 /// principal point farther from the image than half its size. "" if it is plausible.
 std::string fault_of_camera(const cv::Matx33d& matrix, cv::Size calibrated);
 
-/// The camera with such a matrix. None if fault_of_camera() reports a fault, or if the calibration
+/// The camera with this matrix. None if fault_of_camera() reports a fault, or if the calibration
 /// was made for another image size.
 std::optional<PinholeCamera> usable_camera(const cv::Matx33d& matrix, cv::Size calibrated,
                                            cv::Size image);

@@ -18,8 +18,8 @@ struct Plane {
   cv::Vec3d normal;  ///< unit length, away from the platform on the camera's side
 };
 
-/// Plane across the optical axis at `distance` [m]. Throws std::invalid_argument unless it is
-/// positive and finite.
+/// Plane perpendicular to the optical axis at `distance` [m]. Throws std::invalid_argument unless
+/// it is positive and finite.
 Plane plane_at(double distance);
 
 /// Plane through the x and y axes of a frame given by its pose T_camera_platform. Throws
@@ -46,10 +46,12 @@ class Platform {
   std::optional<PlatformPose> lift(const Pose2D& pose, const cv::Matx33d& covariance,
                                    double object_height) const;
 
-  /// Length [m] of a pixel's side on that plane, the geometric mean over directions. None as above.
+  /// Length [m] of a pixel's side on the plane at `object_height` [m] above the platform, the
+  /// geometric mean over directions. None as for lift().
   std::optional<double> metres_per_pixel(cv::Point2d pixel, double object_height) const;
 
-  /// Intersection of the ray through the pixel with that plane. [m] None as above.
+  /// Intersection [m] of the ray through the pixel with the plane at `object_height` [m] above the
+  /// platform. None as for lift().
   std::optional<cv::Vec3d> meet(cv::Point2d pixel, double object_height) const;
 
  private:

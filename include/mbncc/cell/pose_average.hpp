@@ -12,8 +12,8 @@
 namespace mbncc {
 
 /// Averaging restarts when an instance has moved: when its last poses show a trend beyond their
-/// scatter, or its angle jumps. The part of the covariance that scatters between images is
-/// divided by their number; the part that all images may share stays.
+/// scatter, or its angle jumps. The part of the covariance that scatters between images is divided
+/// by their number; the part that may be common to all images remains.
 class PoseAverage {
  public:
   /// Averages over at most this many images. Throws std::invalid_argument below 1.
@@ -31,7 +31,7 @@ class PoseAverage {
   void add(Poses& poses, const Match& match) const;
 
   std::size_t most_;
-  std::map<std::uint32_t, Poses> still_;  // by instance
+  std::map<std::uint32_t, Poses> still_;  // by instance id
 };
 
 }  // namespace mbncc

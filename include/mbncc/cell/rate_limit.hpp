@@ -11,7 +11,7 @@ class RateLimit {
   /// Whether an image stamped `stamp` [s] may pass at `rate` [Hz]; 0: always.
   bool allows(double stamp, double rate) const;
 
-  /// Records that it has passed.
+  /// Records that an image stamped `stamp` [s] has passed at `rate` [Hz].
   void note(double stamp, double rate);
 
   /// Call this when the clock has jumped back.
@@ -21,8 +21,8 @@ class RateLimit {
   double credit(double stamp, double rate) const;
 
   bool any_ = false;
-  double last_ = 0;   // [s] stamp of the last one that passed
-  double saved_ = 0;  // images, after it
+  double last_ = 0;   // [s] stamp of the last image that passed
+  double saved_ = 0;  // [images] credit that was left after the last image
 };
 
 }  // namespace mbncc

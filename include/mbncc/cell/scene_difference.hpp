@@ -17,14 +17,14 @@ struct SceneDifference {
   SceneChange change = SceneChange::kNone;
   cv::Mat changed;      ///< CV_8UC1 of the images' size, 255 where they differ beyond noise
   double fraction = 0;  ///< [0..1] changed part of the image
-  double exposure = 1;  ///< factor between the images, >= 1; compensated before the comparison
+  double exposure = 1;  ///< exposure ratio of the images, >= 1; compensated before the comparison
 };
 
 /// Compares two images of one camera (CV_8UC3, same size) coarsely. It decides when to analyse
 /// the change, not where the object is.
 SceneDifference scene_difference(const cv::Mat& before, const cv::Mat& after);
 
-/// Only its `change`.
+/// Only the `change` of scene_difference().
 SceneChange scene_change(const cv::Mat& before, const cv::Mat& after);
 
 }  // namespace mbncc

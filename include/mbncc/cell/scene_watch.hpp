@@ -50,7 +50,7 @@ class SceneWatch {
   cv::Size size_;
   double last_stamp_ = 0;
   cv::Mat anchor_;           // CV_32FC1 small image that the next ones are compared with
-  double anchor_stamp_ = 0;  // [s] since when nothing has moved
+  double anchor_stamp_ = 0;  // [s] stamp since which nothing has moved
   bool still_ = false;
   std::uint64_t periods_ = 0;
   StillShot waiting_;           // of the current period, to become settled_

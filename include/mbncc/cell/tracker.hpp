@@ -53,9 +53,9 @@ class InstanceTracker {
   /// are evaluated with the new settings from the next image on.
   void configure(const TrackerConfig& config);
 
-  /// Adds the matches of the image stamped `stamp` [s], in which all names were searched. Returns
-  /// them in their order, then the held instances. An earlier stamp than the last one resets the
-  /// tracker first.
+  /// Adds the matches of the image stamped `stamp` [s], which was searched for all names. Returns
+  /// the matches in the given order, followed by the held instances. A stamp before the last one
+  /// resets the tracker first.
   std::vector<TrackedMatch> update(double stamp, const std::vector<Match>& matches);
 
   /// Every instance must be confirmed again; one that has not moved keeps its id and frame.

@@ -12,14 +12,14 @@ namespace mbncc {
 
 /// Approximates Matcher::find() at a cost proportional to the change between the images:
 /// - An instance whose pixels have not changed since its detection is reported again (Match::fresh
-/// is false). One whose pixels changed is searched again nearby, and dropped if it is not found.
+/// is false). One whose pixels changed is searched for again nearby and dropped if it is not found.
 /// - A place that changed and is at rest again is searched for every object, missing ones first,
 /// with a bounded effort per image. Until all have been searched there, nothing found at the
 /// place is graspable, because another object may fit better.
-/// - Every object is searched in the whole image once per sweep_time, in turn, which bounds how
-/// long an instance can be overlooked.
-/// - If the camera is moved or the light switched, all instances are verified and the whole image
-/// is searched.
+/// - The whole image is searched for every object once per sweep_time, one object after the other,
+/// which bounds how long an instance can be overlooked.
+/// - If the camera is moved or the light is switched, all instances are verified and the whole
+/// image is searched.
 class VideoSearch {
  public:
   explicit VideoSearch(VideoConfig config = {});
@@ -27,9 +27,10 @@ class VideoSearch {
   VideoSearch(VideoSearch&&) noexcept;
   VideoSearch& operator=(VideoSearch&&) noexcept;
 
-  /// The next image, stamped `stamp` [s], not before the last one. The objects of `matcher` may
-  /// have changed since; another request, image size or limit restarts the search. Objects with
-  /// places still to be searched are listed in SearchResult::skipped. Throws as Matcher::find().
+  /// Searches the next image, stamped `stamp` [s], which must not be before the last one. The
+  /// objects of `matcher` may have changed since; another request, image size or limit restarts the
+  /// search. Objects with places still to be searched are listed in SearchResult::skipped. Throws
+  /// as Matcher::find().
   SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& image,
                     const SearchRequest& request = {});
 

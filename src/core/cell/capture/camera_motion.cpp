@@ -8,13 +8,13 @@
 namespace mbncc {
 namespace {
 
-constexpr int kWidth = 320;          // [px] images are compared at
+constexpr int kWidth = 320;          // [px] width at which the images are compared
 constexpr int kTile = 64;            // [px]
-constexpr double kTexture = 2.5;     // [grey levels] deviation of a tile that can be followed
-constexpr double kFollowed = 0.25;   // response of the phase correlation, for a tile to count
-constexpr double kMoved = 0.5;       // [px] at that width; less is a camera that stands
-constexpr int kFewest = 3;           // tiles to tell by
-constexpr double kNearlyAll = 0.75;  // of the tiles that can be followed
+constexpr double kTexture = 2.5;     // [grey levels] least deviation of a trackable tile
+constexpr double kFollowed = 0.25;   // least phase correlation response of a tracked tile
+constexpr double kMoved = 0.5;       // [px] at kWidth; tiles displaced less are still
+constexpr int kFewest = 3;           // displaced tiles that show a moved camera
+constexpr double kNearlyAll = 0.75;  // part of the tracked tiles that must be displaced
 
 cv::Mat comparable(const cv::Mat& image) {
   cv::Mat grey, small;
@@ -31,7 +31,7 @@ bool has_texture(const cv::Mat& tile) {
   return deviation[0] > kTexture;
 }
 
-/// cv::phaseCorrelate() multiplies its images by the window where they are.
+/// The images are cloned because cv::phaseCorrelate() multiplies them by the window in place.
 cv::Point2d displacement(const cv::Mat& from, const cv::Mat& to, const cv::Mat& window,
                          double* response = nullptr) {
   return cv::phaseCorrelate(from.clone(), to.clone(), window, response);
@@ -49,7 +49,7 @@ bool camera_moved(const cv::Mat& before, const cv::Mat& after) {
   cv::createHanningWindow(window, was.size(), CV_32F);
   const cv::Point2d whole = displacement(was, is, window);
   cv::createHanningWindow(window, {kTile, kTile}, CV_32F);
-  // Tiles are followed from where the whole image went and from where they were.
+  // Each tile is tracked from two positions: displaced like the whole image, and not displaced.
   int moved = 0, stood = 0;
   const cv::Point coarse(cvRound(whole.x), cvRound(whole.y));
   const cv::Rect seen = overlap(is.size(), coarse);

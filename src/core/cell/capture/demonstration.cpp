@@ -6,13 +6,13 @@
 namespace mbncc {
 namespace {
 
-constexpr double kAgain = 1;           // [s] tolerated change of light in a still scene
-constexpr double kOtherLight = 1.15;   // exposure factor worth a new image
-constexpr double kMostOfImage = 0.45;  // changed part of the image: another scene
+constexpr double kAgain = 1;           // [s] interval at which a still scene is compared again
+constexpr double kOtherLight = 1.15;   // exposure ratio above which the image before is replaced
+constexpr double kMostOfImage = 0.45;  // changed part of the image; if larger, the scene is new
 
-/// Whether the difference was present before and has disappeared.
+/// Whether `changed` shows something that was in the image before and has disappeared.
 bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& after) {
-  constexpr double kMostly = 0.5;  // the uncovered part looks like an arrival
+  constexpr double kMostly = 0.5;  // with swapped images, what has left looks like an arrival
   return part_put_down(changed, after.image, before.image) > kMostly;
 }
 
@@ -29,7 +29,7 @@ Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
   return still ? judge(*still) : Step::kMoving;
 }
 
-/// A still period is evaluated at its begin, and periodically.
+/// A still period is evaluated at its start and then every kAgain seconds.
 Demonstration::Step Demonstration::judge(const StillShot& still) {
   const bool due = still.number > seen_ || still.stamp - compared_at_ >= kAgain;
   if (due && still.image.size() == before_.image.size()) {

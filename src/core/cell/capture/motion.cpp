@@ -10,12 +10,12 @@
 namespace mbncc::capture {
 namespace {
 
-constexpr int kWidth = 160;             // [px]
-constexpr int kSampledWidth = 640;      // [px]
-constexpr double kLeastDifference = 5;  // [grey levels] of a small pixel
-constexpr double kSureDifference = 30;  // [grey levels] motion in any case
-constexpr double kNoiseFactor = 6;      // times the standard deviation of the pair
-constexpr int kLeastPatch = 3;          // [px] small pixels, after opening
+constexpr int kWidth = 160;             // [px] width of a motion image
+constexpr int kSampledWidth = 640;      // [px] wider images are subsampled first
+constexpr double kLeastDifference = 5;  // [grey levels] least threshold of motion
+constexpr double kSureDifference = 30;  // [grey levels] largest threshold of motion
+constexpr double kNoiseFactor = 6;      // threshold in standard deviations of the pair's noise
+constexpr int kLeastPatch = 3;          // [px] moved pixels of a motion image, after opening
 
 float median_of(const cv::Mat& values) {
   std::vector<float> all = values.reshape(1, 1);

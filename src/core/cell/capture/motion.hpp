@@ -9,8 +9,8 @@ namespace mbncc::capture {
 /// Small grey version (CV_32FC1, about 160 px wide) of a CV_8UC3 image, for has_moved().
 cv::Mat motion_image(const cv::Mat& image);
 
-/// True when a patch of some pixels differs beyond the noise of the pair. A global difference of
-/// exposure is not motion.
+/// Whether a patch of a few pixels differs by more than the noise of the pair. `a` and `b` are from
+/// motion_image(). A global difference of exposure is not motion.
 bool has_moved(const cv::Mat& a, const cv::Mat& b);
 
 }  // namespace mbncc::capture

@@ -10,8 +10,8 @@ namespace {
 
 constexpr int kGap = 7, kRing = 31;  // [px] sides of the dilations that bound the ring
 constexpr int kBits = 5;             // shift from grey levels to bins: 8 bins a channel
-constexpr double kRare = 0.005;      // share of the ring
-constexpr double kClearRatio = 4;    // of likelihoods, for a pixel to count
+constexpr double kRare = 0.005;  // part of the ring that every colour is assumed to cover at least
+constexpr double kClearRatio = 4;  // likelihood ratio from which a pixel counts
 
 std::size_t bin_of(const cv::Vec3b& colour) {
   return static_cast<std::size_t>((colour[0] >> kBits) << 6 | (colour[1] >> kBits) << 3 |
@@ -22,7 +22,7 @@ std::size_t bin_of(const cv::Vec3b& colour) {
 class PlatformColours {
  public:
   PlatformColours(const cv::Mat& ring, const cv::Mat& before, const cv::Mat& after) {
-    // A rare colour counts as unseen.
+    // With this offset, a rare colour counts like one that does not occur.
     counts_.fill(kRare * 2 * cv::countNonZero(ring) + 1);
     for (int y = 0; y < ring.rows; ++y)
       for (int x = 0; x < ring.cols; ++x)

@@ -6,8 +6,9 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMostSaved = 2.5;      // images; fewer would lose some if they arrive unevenly
-constexpr double kRounding = 1 - 1e-6;  // of one
+// [images] Most credit; with less, images that arrive unevenly would be lost.
+constexpr double kMostSaved = 2.5;
+constexpr double kRounding = 1 - 1e-6;  // credit of one image, reduced by rounding errors
 
 }  // namespace
 

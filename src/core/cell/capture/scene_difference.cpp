@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kBorderShare = 0.01;  // of the image's width: counts as at the edge
+constexpr double kBorderShare = 0.01;  // part of the image's width that counts as its edge
 
 bool reaches_border(const cv::Mat& changed) {
   const int border = std::max(2, cvRound(kBorderShare * changed.cols));

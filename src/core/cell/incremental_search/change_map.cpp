@@ -12,18 +12,18 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastDifference = 4;  // [grey levels] of a cell's mean
-constexpr double kSureDifference = 16;  // [grey levels] beyond the noise of a cell's mean
-constexpr double kNoiseFactor = 8;      // median differences of cells
+constexpr double kLeastDifference = 4;  // [grey levels] least threshold for a cell's mean
+constexpr double kSureDifference = 16;  // [grey levels] largest threshold for a cell's mean
+constexpr double kNoiseFactor = 8;      // threshold in median differences of cells
 constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per image
 constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
 constexpr int kStride = 37;             // stride of the cells used for gain and noise
-constexpr double kPatience = 1.5;       // [s] that a patch may keep changing
-constexpr double kCalm = 0.095;         // [s] that a patch is at rest before it is reported
-constexpr int kJoined = 3;              // [cells] patches no farther apart are joined
-constexpr int kLeastCells = 2;          // of a patch
-constexpr int kStirring = 2;            // cells in motion that keep a patch changing
-constexpr double kUpset = 0.35;         // share of the cells
+constexpr double kPatience = 1.5;  // [s] a patch that keeps changing for longer is reported anyway
+constexpr double kCalm = 0.095;    // [s] a patch must be at rest for this long to be reported
+constexpr int kJoined = 3;         // [cells] side of the dilation that joins nearby patches
+constexpr int kLeastCells = 2;     // least changed cells of a reported patch
+constexpr int kStirring = 2;       // cells in motion from which a patch is still changing
+constexpr double kUpset = 0.35;    // changed part of the cells above which is_upset() holds
 
 cv::Mat cell_means(const cv::Mat& image) {
   cv::Mat cells = image;
@@ -86,7 +86,7 @@ cv::Mat differing(const cv::Mat& cells, const cv::Mat& base, const cv::Scalar& g
   return differs;
 }
 
-/// Per cell: any channel.
+/// 255 per cell where any channel is 255.
 cv::Mat any_channel(const cv::Mat& values) {
   if (values.channels() == 1) return values;
   cv::Mat planes[3], any;
@@ -132,7 +132,7 @@ void follow(const cv::Mat& cells, const cv::Mat& differs, const cv::Scalar& gain
     }
 }
 
-/// Connected patches of cells, those that nearly touch joined.
+/// Connected patches of cells; patches that nearly touch are joined.
 struct Patches {
   explicit Patches(const cv::Mat& cells) {
     cv::Mat joined, centroids;

@@ -9,15 +9,16 @@
 namespace mbncc::incremental_search {
 namespace {
 
-constexpr double kOverhang = 0.35;  // of the radius: reference point to change, at most
-constexpr int kLooks = 10;          // searches of an instance at rest, for averaging
+// Largest distance from a change to a searched reference point, as a part of the object's radius.
+constexpr double kOverhang = 0.35;
+constexpr int kLooks = 10;  // searches for an instance at rest, whose poses are averaged
 
 cv::Rect square_about(const cv::Point2d& middle, double reach) {
   const int side = 2 * static_cast<int>(std::ceil(reach)) + 1;
   return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
 }
 
-/// Objects are searched one by one, with the scores of a joint search.
+/// The objects are searched for one at a time, but scored as in a joint search.
 SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
   const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
   request.among = std::max(request.among, objects);
@@ -43,7 +44,7 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
   memory_.changes.update(stamp, image);
 }
 
-/// Places occupied by objects that are no longer searched are evaluated again.
+/// Places occupied by objects that are no longer searched for must be searched again.
 void FrameSearch::give_up(const std::vector<std::string>& gone) {
   for (const auto& name : gone) {
     for (const auto& one : memory_.known.all())
@@ -79,7 +80,7 @@ SearchResult FrameSearch::search(const cv::Rect& region, const std::vector<std::
                       best_outside(region, names), others(names));
 }
 
-/// The known instances of all but `names`.
+/// Footprints of the known instances of all objects but `names`.
 std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names) const {
   std::vector<Footprint> footprints;
   for (const auto& one : memory_.known.all()) {
@@ -92,7 +93,8 @@ std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names
   return footprints;
 }
 
-/// The known instances of `names` whose places are not searched.
+/// Per name, the best log-odds of the known instances outside `region`, which a search of it cannot
+/// find.
 std::map<std::string, double> FrameSearch::best_outside(
     const cv::Rect& region, const std::vector<std::string>& names) const {
   std::map<std::string, double> best;
@@ -148,7 +150,8 @@ bool FrameSearch::is_settled(const cv::Rect& box) const {
                      [&](const cv::Rect& place) { return !(place & box).empty(); });
 }
 
-/// Not compared yet: Known::others records which objects may lie there.
+/// An instance that has not been compared with other objects yet: of the match's competitors, only
+/// those of its own name are kept.
 Known FrameSearch::known_from(const Match& match) const {
   Known known;
   known.match = match;
@@ -179,8 +182,8 @@ void FrameSearch::verify_touched() {
     if (!find_again(one, touched)) memory_.hidden.push_back(one);
 }
 
-/// Hidden instances are searched at their places when something comes to rest there, for the last
-/// time when the place is in the reference again.
+/// A hidden instance is searched for at its place whenever something comes to rest there, and a
+/// last time when the place matches the reference again.
 void FrameSearch::look_for_hidden() {
   const std::vector<Known> before = std::exchange(memory_.hidden, {});
   for (const auto& one : before) {
@@ -190,7 +193,7 @@ void FrameSearch::look_for_hidden() {
   }
 }
 
-/// Searches an instance near its last place.
+/// Searches for an instance near its last place.
 bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before) {
   Sought& sought = memory_.sought.at(one.match.name);
   const auto region = square_about(one.match.pose.position(), sought.reach());
@@ -205,8 +208,8 @@ bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before)
   return found;
 }
 
-/// Periodically, each object is searched everywhere, in turn; one that was found at a new place at
-/// once, for its competitors.
+/// Periodically searches the whole image for one object after the other; for an object that was
+/// found at a new place it does so at once, to find its competitors.
 void FrameSearch::sweep() {
   const std::string next = memory_.sought.next_to_sweep();
   if (next.empty()) return;
@@ -231,7 +234,7 @@ void FrameSearch::sweep_for(const std::string& name) {
   compare(result, search_.whole());
 }
 
-/// Within max_search_cost, for objects of at least this urgency.
+/// Searches the pending regions of objects of at least this urgency, within max_search_cost.
 void FrameSearch::search_pending(Urgency least) {
   const auto urgency = [this](const std::string& name) { return urgency_of(name); };
   while (search_.spent() < config_.max_search_cost) {
@@ -247,8 +250,8 @@ void FrameSearch::search_pending(Urgency least) {
   }
 }
 
-/// Log-odds are comparable only within one image, so the instances to be compared with a search
-/// of `region` for `name` are searched in this image as well.
+/// Log-odds are comparable only within one image, so the instances that a search of `region` for
+/// `name` is compared with are searched for in this image as well.
 void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& region) {
   const auto uncompared = memory_.known.take([&](const Known& one) {
     return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
@@ -262,7 +265,8 @@ FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
   return memory_.known.shows(name) ? kSeen : kUnseen;
 }
 
-/// Within max_search_cost, instances with motion around them are also compared with all objects.
+/// Compares instances with all objects even while there is motion around them, within
+/// max_search_cost.
 void FrameSearch::compare_touched() {
   for (const auto& name : memory_.sought.names())
     for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
@@ -278,7 +282,7 @@ void FrameSearch::compare_touched() {
     }
 }
 
-/// Instances at rest are searched a few more times, for averaging.
+/// Instances at rest are searched for a few more times, so that their poses can be averaged.
 void FrameSearch::look_again() {
   if (search_.spent() > 0) return;
   auto& known = memory_.known.all();
@@ -290,8 +294,8 @@ void FrameSearch::look_again() {
   find_again(before.front(), before);
 }
 
-/// Adds a match to the known instances; null if a better one is there. `before` may be the earlier
-/// state of the same instance.
+/// Adds a match to the known instances; null if a better one is there. `before` may contain the
+/// earlier state of the same instance.
 Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) {
   const double reach = memory_.sought.at(match.name).reach();
   Known found = known_from(match);
@@ -305,7 +309,8 @@ Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) 
   return admitted;
 }
 
-/// An instance at a new place is compared with all objects there, and with all of the image.
+/// Schedules the comparison of an instance at a new place with all objects there and with the rest
+/// of the image.
 void FrameSearch::announce(const Known& one) {
   Sought& own = memory_.sought.at(one.match.name);
   own.lost = false;
@@ -313,13 +318,13 @@ void FrameSearch::announce(const Known& one) {
   owe_place(one);
 }
 
-/// The place of an instance must be searched for all other objects.
+/// Schedules a search of the instance's place for all other objects.
 void FrameSearch::owe_place(const Known& one) {
   for (const auto& [name, sought] : memory_.sought.all())
     if (name != one.match.name) memory_.pending.add(name, touching(one.box(), name));
 }
 
-/// [px] Reference points of all poses of an object that may touch a box.
+/// Region [px] of the reference points of all poses of object `name` that may touch `box`.
 cv::Rect FrameSearch::touching(const cv::Rect& box, const std::string& name) const {
   return grown(box, cvCeil(memory_.sought.at(name).radius)) & search_.whole();
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches one image of a video where needed.
+// Searches one image of a video where it is needed.
 #pragma once
 
 #include <map>
@@ -18,13 +18,13 @@ class FrameSearch {
   FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher, double stamp,
               const cv::Mat& image);
 
-  /// For the first image, or after a complete change: searches everything at once.
+  /// Searches the whole image for all objects: for the first image, or after a complete change.
   SearchResult look_everywhere();
 
   SearchResult look_at_changes();
 
  private:
-  /// Urgency of an object's search; the most urgent first.
+  /// Urgency of the search for an object; the most urgent first.
   enum Urgency { kLost, kUnseen, kSeen };
 
   void give_up(const std::vector<std::string>& gone);

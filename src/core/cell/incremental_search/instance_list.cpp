@@ -24,8 +24,8 @@ double distance(const Match& a, const Match& b) {
   return cv::norm(a.pose.position() - b.pose.position());
 }
 
-/// On the scale of `match`. The clutter of two objects comes from searches at different times, so
-/// the rival loses no more by it than the match does.
+/// The rival as a competitor, with log-odds on the scale of `match`. The clutter of the two comes
+/// from searches at different times, so it reduces the rival's log-odds no more than the match's.
 Competitor competitor_of(const Match& match, const Rival& rival) {
   const double less_clutter = std::max(0., rival.odds.clutter - match.odds.clutter);
   const double odds = match.odds.of_competitor(rival.odds, rival.name == match.name);
@@ -60,7 +60,7 @@ Match Known::judged(const std::vector<std::string>& names, const SearchConfig& c
   if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
   if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
   decision::conclude(result, config);
-  // The margin to an object that was not searched is unknown.
+  // The margin to an object that was not searched for is unknown.
   if (open != names.end() || !compared_elsewhere)
     result.margin_place = std::min(0., result.margin_place);
   return result;
@@ -106,7 +106,7 @@ Known* InstanceList::admit(Known found, double reach) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
   if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
-  // The log-odds of one that was found in an earlier image are no comparison.
+  // Log-odds from an earlier image are not comparable.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
       found.others[one.match.name] = competitor_of(match, rival_of(one.match));

@@ -15,42 +15,45 @@
 namespace mbncc::incremental_search {
 
 struct Known {
-  /// From the last search at its place; its competitors are those of the same object nearby.
+  /// Result of the last search at this place; its competitors are only those of the same object
+  /// nearby.
   Match match;
-  /// The last search of the whole image for this object has compared it with other places.
+  /// Whether the last search of the whole image for this object has compared it with other places.
   bool compared_elsewhere = false;
-  std::optional<Competitor> elsewhere;  ///< the best of them
-  /// By name, the objects searched at its place since its pixels changed, with the best one found
-  /// there; a missing name is still to be searched.
+  std::optional<Competitor> elsewhere;  ///< the best competitor of the same object at another place
+  /// By name, the objects searched for at this place since its pixels changed, each with its best
+  /// competitor found there; a name that is missing must still be searched for.
   std::map<std::string, std::optional<Competitor>> others;
   bool in_motion = false;  ///< its pixels differed from the reference and were not at rest
   int looks = 1;           ///< searches since its pixels changed last
 
   cv::Rect box() const;  ///< [px] bounding box of its outline
 
-  /// It was searched again on the same pixels; the comparisons of `before` stay valid, and a change
-  /// of light since then does not count in its favour.
+  /// Takes over the comparisons of `before`, the same instance in an earlier search of the same
+  /// pixels. Its competitors' log-odds change with its own, so a change of light does not count in
+  /// its favour.
   void take_comparisons(const Known& before);
 
   /// The match with its known competitors. Graspable only if it was compared with all of `names`.
   Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
 };
 
-/// As a competitor of others.
+/// The match as a rival of other instances.
 Rival rival_of(const Match& match);
 
-/// Overlap of the outlines' areas as part of the smaller one [0..1].
+/// Overlap of the outlines' areas as a part [0..1] of the smaller area.
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b);
 
-/// Of the same object and near enough to be the same instance, `reach` [px] apart at most.
+/// Whether both are of the same object and near enough to be the same instance, at most `reach`
+/// [px] apart.
 bool is_continued(const Match& before, const Match& now, double reach);
 
-/// The continued one nearest to `now`; null: none.
+/// The nearest instance of `before` that `now` continues (is_continued()); null if there is none.
 const Known* predecessor(const std::vector<Known>& before, const Match& now, double reach);
 
 class InstanceList {
  public:
-  /// Outlines may overlap by this part of the smaller one [0..1].
+  /// `max_overlap` is the part [0..1] of the smaller outline by which outlines may overlap.
   explicit InstanceList(double max_overlap) : max_overlap_(max_overlap) {}
 
   std::vector<Known>& all() { return known_; }
@@ -58,7 +61,7 @@ class InstanceList {
 
   bool shows(const std::string& name) const;
 
-  /// Removes those for which `leaves` holds.
+  /// Removes and returns the instances for which `leaves` holds.
   template <class Predicate>
   std::vector<Known> take(const Predicate& leaves) {
     const auto begin = std::stable_partition(known_.begin(), known_.end(),
@@ -68,12 +71,13 @@ class InstanceList {
     return taken;
   }
 
-  /// Adds an instance and replaces weaker ones there, which become its competitors, or itself
-  /// within `reach` [px]. Null if a better one is there. Valid until the next change.
+  /// Adds an instance and removes those it overlaps: weaker ones, which become its competitors, and
+  /// its own earlier state within `reach` [px]. Null if a better instance is there. The pointer is
+  /// valid until the next change of the list.
   Known* admit(Known found, double reach);
 
-  /// Compares all instances with what a search of the object `name` found. `is_covered(box)`: all
-  /// of its poses that touch the box [px] were searched.
+  /// Compares all instances with the result `found` of a search for object `name`.
+  /// `is_covered(box)` tells whether all poses of that object that touch `box` [px] were searched.
   template <class Covered>
   void compare(const std::string& name, const std::vector<Rival>& found,
                const Covered& is_covered) {

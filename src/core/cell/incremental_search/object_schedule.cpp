@@ -7,8 +7,8 @@
 namespace mbncc::incremental_search {
 namespace {
 
-constexpr double kLeastReach = 16;   // [px]
-constexpr double kReachShare = 0.5;  // of the radius
+constexpr double kLeastReach = 16;   // [px] least reach
+constexpr double kReachShare = 0.5;  // reach as a part of the object's radius
 
 double radius_of(const ObjectModel& model) {
   double radius = 0;

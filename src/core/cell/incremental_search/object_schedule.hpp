@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The objects searched in a video, and their state.
+// The objects searched for in a video, and the state of their searches.
 #pragma once
 
 #include <map>
@@ -15,12 +15,12 @@ struct Sought {
   static constexpr double kNever = -1e18;  ///< [s] before any stamp
 
   std::shared_ptr<const ObjectModel> model;
-  double radius = 0;         ///< [px] of the map about the reference point
-  double swept_at = kNever;  ///< [s] searched for in the whole image
-  bool urgent = true;        ///< to be searched everywhere at once
+  double radius = 0;         ///< [px] of the maps about the reference point
+  double swept_at = kNever;  ///< [s] last search of the whole image for the object
+  bool urgent = true;        ///< the whole image must be searched for it at once
   bool lost = false;         ///< an instance has gone missing
 
-  /// [px] that an instance may move between two images.
+  /// Largest motion [px] of an instance between two images.
   double reach() const;
 };
 
@@ -29,7 +29,8 @@ class ObjectSchedule {
   /// `names`: as in SearchRequest.
   explicit ObjectSchedule(std::vector<std::string> names) : asked_(std::move(names)) {}
 
-  /// Updates the objects from a matcher. Returns the names of those that have changed.
+  /// Updates the objects from a matcher. Returns the names of those that have changed or are no
+  /// longer searched for.
   std::vector<std::string> update(std::vector<std::shared_ptr<const ObjectModel>> models);
 
   const std::map<std::string, Sought>& all() const { return sought_; }
@@ -37,13 +38,14 @@ class ObjectSchedule {
   Sought& at(const std::string& name) { return sought_.at(name); }
   const Sought& at(const std::string& name) const { return sought_.at(name); }
 
-  /// [px] of the largest.
+  /// Radius [px] of the largest of these objects.
   double radius(const std::vector<std::string>& names) const;
 
-  /// Urgent ones first, then the one not searched for longest; "": none.
+  /// The object to search the whole image for next: urgent ones first, then the one whose last such
+  /// search is the longest ago. "" if there is none.
   std::string next_to_sweep() const;
 
-  /// Requested objects that cannot be searched.
+  /// Requested objects that cannot be searched for.
   std::vector<std::string> unavailable() const;
 
  private:

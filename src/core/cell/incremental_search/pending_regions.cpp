@@ -6,7 +6,7 @@
 namespace mbncc::incremental_search {
 namespace {
 
-constexpr double kWaste = 1.3;  // area of a joint region relative to that of its parts
+constexpr double kWaste = 1.3;  // largest area of a joined region relative to that of its parts
 
 bool worth_joining(const cv::Rect& a, const cv::Rect& b) {
   return (a | b).area() <= kWaste * (a.area() + b.area() - (a & b).area());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Regions still to be searched, for each object.
+// Regions that must still be searched, for each object.
 #pragma once
 
 #include <functional>
@@ -20,21 +20,23 @@ class PendingRegions {
   /// Objects with a smaller number are more urgent.
   using Urgency = std::function<int(const std::string& name)>;
 
-  /// Adds `region` [px] to be searched for the object. Joined with its pending regions nearby.
+  /// Adds `region` [px] to be searched for the object. It is joined with a pending region of the
+  /// object nearby.
   void add(const std::string& name, const cv::Rect& region);
 
-  /// `region`, as told by next(), has been searched for the object.
+  /// Removes `region`, as returned by next(), after a search of it for the object.
   void complete(const std::string& name, const cv::Rect& region);
 
-  /// The object owes nothing any more.
+  /// Removes all pending regions of the object.
   void forget(const std::string& name);
 
-  /// That of the most urgent object, among equals the one that waits longest.
+  /// Pending region of the most urgent object; of equally urgent ones, the one that has waited
+  /// longest. None if nothing is pending.
   std::optional<Pending> next(const Urgency& urgency) const;
 
   bool contains(const std::string& name) const;
 
-  /// Some object has still to be searched for within `region` [px].
+  /// Whether a part of `region` [px] must still be searched for some object.
   bool is_open(const cv::Rect& region) const;
 
  private:

@@ -6,10 +6,10 @@
 namespace mbncc::incremental_search {
 namespace {
 
-constexpr int kMargin = 12;          // [px] about what is looked at
-constexpr int kGrid = 16;            // [px] crops begin at multiples, as pyramids like it
-constexpr double kMostCrop = 0.7;    // share of the image above which all of it is searched
-constexpr double kLeastCost = 0.25;  // of a search however small the crop, by that of the whole
+constexpr int kMargin = 12;          // [px] margin around the searched poses
+constexpr int kGrid = 16;            // [px] crops start at multiples, so that pyramids stay aligned
+constexpr double kMostCrop = 0.7;    // largest crop, as a part of the image
+constexpr double kLeastCost = 0.25;  // least cost of a search, relative to one of the whole image
 
 void shift(SearchResult& result, cv::Point by) {
   for (auto& match : result.matches) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches a part of an image, at the cost of a part.
+// Searches a part of an image at a cost that decreases with the part's size.
 #pragma once
 
 #include <map>
@@ -12,7 +12,7 @@
 
 namespace mbncc::incremental_search {
 
-/// Searches of one image, which `matcher` and `image` outlive.
+/// Searches one image. `matcher` and `image` must outlive it.
 class RegionSearch {
  public:
   /// `request` limits all searches and sets the search effort; its names are ignored.
@@ -21,18 +21,18 @@ class RegionSearch {
 
   cv::Rect whole() const { return cv::Rect({0, 0}, image_.size()); }
 
-  /// Searches for reference points in `region` [px], in as little of the image as objects of
-  /// `radius` [px] take. `clutter` as SearchResult::clutter told of the whole image, `elsewhere`
-  /// and `occupied` as of SearchRequest.
+  /// Searches for objects whose reference points lie in `region` [px], in a crop just large enough
+  /// for objects of `radius` [px]. `clutter` is SearchResult::clutter of the whole image;
+  /// `elsewhere` and `occupied` are as in a SearchRequest for the whole image.
   SearchResult find(const cv::Rect& region, const std::vector<std::string>& names, double radius,
                     const std::map<std::string, double>& clutter,
                     const std::map<std::string, double>& elsewhere,
                     const std::vector<Footprint>& occupied);
 
-  /// So far, in searches of one object in the whole image.
+  /// Cost so far; a search of the whole image for one object costs 1.
   double spent() const { return spent_; }
 
-  /// The time budget ended a search early.
+  /// Whether the time budget ended a search early.
   bool budget_exceeded() const { return budget_exceeded_; }
 
  private:
@@ -45,7 +45,7 @@ class RegionSearch {
   bool budget_exceeded_ = false;
 };
 
-/// `rect` with `by` [px] more on every side.
+/// `rect` enlarged by `by` [px] on every side.
 cv::Rect grown(const cv::Rect& rect, int by);
 
 }  // namespace mbncc::incremental_search

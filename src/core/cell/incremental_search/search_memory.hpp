@@ -25,10 +25,10 @@ struct SearchMemory {
   ChangeMap changes;
   ObjectSchedule sought;
   InstanceList known;
-  std::vector<Known> hidden;  ///< not found at their places while these were still changing
+  std::vector<Known> hidden;  ///< not found while their places were still changing
   PendingRegions pending;
-  std::map<std::string, double> clutter;  ///< by name, of the whole image
-  double last_sweep = 0;                  ///< [s]
+  std::map<std::string, double> clutter;  ///< by name, SearchResult::clutter of the whole image
+  double last_sweep = 0;                  ///< [s] stamp of the last search of the whole image
 };
 
 /// The result for an image from the known instances: at most request.max_instances (0: config's)

@@ -9,13 +9,14 @@
 namespace mbncc {
 namespace {
 
-constexpr int kPlaces = 3;  // per side of the image
-// Between random places and directions of objects from slim to compact, under tilts of 2 to 20
-// degrees and of distorting lenses, the errors are .7 to 1.1 of these (image_distortion_test.cpp).
-constexpr double kYawError = 1.1;         // per shear: of both places, and of slim objects
-constexpr double kPositionError = 0.032;  // per bend, of the object's squared length
+constexpr int kPlaces = 3;  // sampled places per side of the image
+// Between random places and directions of slim to compact objects, for tilts of 2 to 20 degrees and
+// for distorting lenses, the actual errors are 0.7 to 1.1 times the errors by these factors
+// (image_distortion_test.cpp).
+constexpr double kYawError = 1.1;         // [rad] per shear; for two places and slim objects
+constexpr double kPositionError = 0.032;  // per bend and squared length of the object
 
-/// Root mean square of what is added.
+/// Root mean square of the added values.
 class MeanSquare {
  public:
   void add(double value) {
@@ -29,13 +30,14 @@ class MeanSquare {
   int count_ = 0;
 };
 
-/// How the platform changes along a line through a place.
+/// How the position on the platform changes along a line in the image.
 struct Along {
   cv::Vec3d slope;  // [m/px]
   double bend = 0;  // [1/px]
 };
 
-/// `at` is where the platform is seen at `place`.
+/// `at` [m] is the platform's point seen at `place` [px]; the line goes from `place` - `step` to
+/// `place` + `step`.
 std::optional<Along> along(const Platform& platform, cv::Point2d place, const cv::Vec3d& at,
                            cv::Point2d step) {
   const auto before = platform.meet(place - step, 0), after = platform.meet(place + step, 0);
@@ -47,7 +49,7 @@ std::optional<Along> along(const Platform& platform, cv::Point2d place, const cv
 }
 
 double shear_of(const cv::Vec3d& x, const cv::Vec3d& y) {
-  // Singular values a, b of the map with these columns: a b and a^2 + b^2.
+  // For the singular values a, b of the matrix with columns x and y: a b and a^2 + b^2.
   const double product = cv::norm(x.cross(y)), squares = x.dot(x) + y.dot(y);
   return std::sqrt(std::max(0.0, squares - 2 * product) / (squares + 2 * product));
 }

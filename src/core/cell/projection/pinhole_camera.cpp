@@ -7,16 +7,17 @@
 namespace mbncc {
 namespace {
 
-constexpr double kShortestFocus = 0.1, kLongestFocus = 100;  // of the image's longer side
-constexpr double kMostAspect = 2;                            // of the two focal lengths
-constexpr double kMostBeside = 0.5;        // of the image's size, the principal point
-constexpr double kMatrixTolerance = 1e-6;  // of entries that are 0 or 1
+constexpr double kShortestFocus = 0.1, kLongestFocus = 100;  // in longer sides of the image
+constexpr double kMostAspect = 2;  // largest ratio of the two focal lengths
+// Largest distance of the principal point from the image, as a part of the image's size.
+constexpr double kMostBeside = 0.5;
+constexpr double kMatrixTolerance = 1e-6;  // of entries that must be 0 or 1
 
 bool is_nearly(double value, double wanted) {
   return std::abs(value - wanted) <= kMatrixTolerance;
 }
 
-/// The place lies outside the image by no more than a part of its size.
+/// Whether the coordinate lies at most kMostBeside of the image's size outside the image.
 bool is_near(double place, int size) {
   return place >= -kMostBeside * size && place <= (1 + kMostBeside) * size;
 }

@@ -9,10 +9,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kStep = 0.5;        // [px] of numerical derivatives
-constexpr double kAngleStep = 1e-3;  // [rad] likewise
+constexpr double kStep = 0.5;        // [px] step of numerical derivatives
+constexpr double kAngleStep = 1e-3;  // [rad] step of numerical derivatives
 constexpr double kRigidTolerance = 1e-3;
-constexpr double kNearest = 0.001, kFarthest = 100;  // [m] of a pose from the camera
+constexpr double kNearest = 0.001, kFarthest = 100;  // [m] limits of the distance from the camera
 
 struct Frame {
   cv::Vec3d position;
@@ -28,7 +28,8 @@ cv::Vec3d small_rotation(const cv::Matx33d& r) {
   return cv::Vec3d(r(2, 1) - r(1, 2), r(0, 2) - r(2, 0), r(1, 0) - r(0, 1)) * 0.5;
 }
 
-/// Change of the frame per unit of the parameter between `low` and `high`, `width` apart.
+/// Derivative of the frame (position and rotation vector) with respect to a parameter, whose values
+/// at `low` and `high` are `width` apart.
 cv::Matx<double, 6, 1> derivative(const Frame& low, const Frame& high, double width) {
   const cv::Vec3d shift = (high.position - low.position) / width;
   const cv::Vec3d turn = small_rotation(high.rotation * low.rotation.t()) / width;

@@ -9,7 +9,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kMostTilt = 60;  // [degrees] where a pixel covers twice as much of the platform
+constexpr double kMostTilt = 60;  // [degrees] there, a pixel covers twice as much of the platform
 
 cv::Point2d middle_of(cv::Size size) {
   return {(size.width - 1) / 2.0, (size.height - 1) / 2.0};

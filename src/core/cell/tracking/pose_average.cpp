@@ -10,10 +10,11 @@ namespace {
 
 constexpr double kSameAngle = to_radians(15);
 constexpr double kTrendFactor = 3;  // standard deviations of a significant trend
-constexpr double kClaims = 2;       // weight of the stated variance in images
+constexpr double kClaims = 2;       // weight of the stated variance, in images
 constexpr double kJumpFactor = 4;   // standard deviations of a significant jump
-constexpr double kMostSurplus = 2;  // scatter by variance, of one coordinate
-// Smaller motions are ignored, and perfect images do not scatter.
+constexpr double kMostSurplus = 2;  // largest ratio of scatter to stated variance of a coordinate
+// [px], [px], [rad] Smaller motions are ignored, because the poses of noise-free images do not
+// scatter at all.
 const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));
 
 cv::Vec3d values_of(const Pose2D& pose) {
@@ -26,8 +27,8 @@ cv::Vec3d mean_of(const std::deque<Pose2D>& poses, std::size_t from, std::size_t
   return sum / static_cast<double>(to - from);
 }
 
-/// Sum of squared second differences, which a steady motion does not add to; six times the variance
-/// of a single pose for each of them.
+/// Sum of squared second differences. A steady motion adds nothing to it; each difference adds on
+/// average six times the variance of a single pose.
 cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
   cv::Vec3d sum;
   for (std::size_t i = 2; i < poses.size(); ++i) {

@@ -10,10 +10,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kGateShare = 0.5;            // of the outline's radius
-constexpr double kLeastGate = 5;              // [px]
+constexpr double kGateShare = 0.5;            // gate as a part of the outline's radius
+constexpr double kLeastGate = 5;              // [px] least gate
 constexpr double kLongestGuess = 0.5;         // [s] for which a motion is extrapolated
-constexpr double kAngleJump = to_radians(3);  // [rad] torn images cause larger errors
+constexpr double kAngleJump = to_radians(3);  // [rad] torn images cause larger jumps
 
 /// Distance [px] within which a match continues an instance.
 double gate_of(const Match& match) {
@@ -23,7 +23,7 @@ double gate_of(const Match& match) {
   return std::max(kLeastGate, kGateShare * radius);
 }
 
-/// The equal angle of `match` that lies nearest to the last one.
+/// Of the angles of `match` that are equivalent by its symmetry, the one nearest to `last`.
 double nearest_angle(double last, const Match& match) {
   if (match.symmetry == 0) return last;
   return wrap_angle(last + std::remainder(match.pose.theta - last, 2 * kPi / match.symmetry));
@@ -100,8 +100,8 @@ void InstanceTracker::choose_best(std::vector<TrackedMatch>& tracked) {
   }
 }
 
-/// Distance from the instance's last or extrapolated position, whichever is nearer; objects that
-/// turn back are near the last one. Infinite for another object.
+/// Distance from the instance's last or extrapolated position, whichever is nearer; an object that
+/// reverses its motion is near its last position. Infinite for another object.
 double InstanceTracker::Track::distance_to(const Match& match, double stamp) const {
   const Match& before = last.match;
   if (before.name != match.name || before.revision != match.revision)
