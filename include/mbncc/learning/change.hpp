@@ -11,10 +11,10 @@ struct ChangeSurvey {
   cv::Mat changed;        ///< CV_8UC1 of the images' size, 255 where they differ beyond noise
   double fraction = 0;    ///< [0..1] changed part of the image
   double displaced = 0;   ///< [0..1] part of the textured area whose texture was displaced
-  double exposure = 1;    ///< factor between the images, >= 1
-  double unevenness = 1;  ///< largest over smallest exposure factor of the image's quarters, >= 1
+  double exposure = 1;    ///< exposure ratio of the images, >= 1
+  double unevenness = 1;  ///< largest over smallest exposure ratio of the quarters, >= 1
   bool noisy = false;     ///< noise may hide much of the change
-  cv::Point2d shift;      ///< [px] of the camera, to about a pixel
+  cv::Point2d shift;      ///< [px] shift of the camera, accurate to about a pixel
 };
 
 /// Compares two CV_8UC3 images of one size at about 320 pixels width. Exposure per channel and

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Change cut: a graph cut that separates the object from the platform in the image before. The
-// platform's likelihood comes from the image after, possibly shadowed; the cut follows edges that
-// disappeared with the object.
+// likelihood of the platform is computed from the image after, allowing for shadows; the cut
+// follows edges that disappeared with the object.
 #pragma once
 
 #include <functional>
@@ -16,13 +16,14 @@ struct ChangeCut {
   cv::Mat map;  ///< CV_8UC1 of the images' size, 0/255; all 0 when nothing in the region changed
   CutEvidence evidence;
   /// Log-odds of object against platform used for the cut: CV_32FC1 of the images' size, within
-  /// +-8, -8 outside the region. None when nothing had changed.
+  /// +-8, -8 outside the region. Empty if nothing changed.
   std::function<cv::Mat()> preference;
 
-  // Each call continues with one more cut; none if nothing had changed. The operator's strokes are
-  // hard constraints (CV_8UC1 of the images' size, 255 there).
+  // Continues from this result with one more cut. The operator's strokes are hard constraints
+  // (CV_8UC1 of the images' size, 255 on a stroke). Empty if nothing changed.
   std::function<ChangeCut(const cv::Mat& include, const cv::Mat& exclude)> cut_again;
-  /// Adds another view's `preference`, warped onto this one.
+  /// Continues from this result with one more cut, which adds another view's `preference`, warped
+  /// onto this view. Empty if nothing changed.
   std::function<ChangeCut(const cv::Mat& preference)> cut_with;
 };
 
@@ -33,7 +34,7 @@ ChangeCut change_cut(const cv::Mat& before, const cv::Mat& after, const cv::Rect
                      const cv::Mat& changed, int iterations, int max_shift,
                      const BeforeCut& before_cut = {});
 
-/// The same with one image: the platform under the object is predicted from the ring around
+/// Cuts the object out of one image: the platform under it is predicted from the ring around
 /// `region`.
 ChangeCut region_cut(const cv::Mat& before, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut = {});

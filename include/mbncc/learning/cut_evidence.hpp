@@ -11,12 +11,12 @@ struct CutEvidence {
                        ///< the region that look like the object
   double region_span =
       1;  ///< [0..1] extent of the map's box relative to the region's, in the worse direction
-  double change_outside = 0;    ///< [0..1] changed part of the strip around the region
-  double change_beside = 0;     ///< [map's area] certain change in the region outside the map
-  double second_departure = 0;  ///< [0..1] of a lesson without a place: evidence that a second
-                                ///< object left, as a part of the first's
-  double stability =
-      1;  ///< [0..1] least IoU with cuts of shifted balance; of one image: with the other method
+  double change_outside = 0;  ///< [0..1] changed part of the strip around the region
+  double change_beside = 0;   ///< [map's area] area of certain change in the region outside the map
+  double second_departure = 0;  ///< [0..1] for a lesson without a given place: evidence that a
+                                ///< second object left, relative to the first's
+  double stability = 1;  ///< [0..1] least IoU with cuts of shifted log-odds; for one image: IoU
+                         ///< with another method's map
   double boundary_contrast = 1;  ///< [0..1] strength of the image edges along the outline
   bool shadow_like = false;      ///< a shadow of the platform would look like the object
   bool verified = true;  ///< false: cut from one image, without confirmation by a second one

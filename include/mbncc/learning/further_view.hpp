@@ -11,20 +11,22 @@
 
 namespace mbncc {
 
-/// Pose of the stored object's frame in `image`, the learning image of `view`. The object is
-/// searched there and counts as found if its outline covers the view's map, so all views of an
-/// object share one frame. None if it is not found because the views have too little in common.
+/// Pose of the stored object's frame in `image`, the learning image of `view`. `image` is searched
+/// for the object, which counts as found if its outline overlaps the view's map with an IoU of at
+/// least 0.5, so all views of an object share one frame. None if it is not found, because the views
+/// have too little in common.
 std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
                                        const cv::Mat& image, const SearchConfig& search = {});
 
-/// Adds the view of `learned`, taught by `image`, to `stored`, in its frame and at its height;
-/// the verdict is that of the newest view. Refuses and leaves `stored` unchanged if the stored
-/// object is not found in the image.
+/// Adds the view of `learned`, taught from `image`, to `stored`, in the stored object's frame and
+/// at its height; the verdict is that of the newest view. Refuses and leaves `stored` unchanged if
+/// the stored object is not found in the image or already has this view.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& image, const SearchConfig& search = {});
 
 /// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
-/// its sentences as the first advice, so that the operator reads them before the work on a view.
+/// the refusal's message and hint as the first advice, so that the operator reads them before
+/// correcting the view.
 void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
                        const SearchConfig& search = {});
 

@@ -24,7 +24,7 @@ class InteractiveLesson {
   InteractiveLesson(InteractiveLesson&&) noexcept;
   InteractiveLesson& operator=(InteractiveLesson&&) noexcept;
 
-  /// Of the lesson and all edits in force.
+  /// Result of the lesson with all edits that were not undone.
   const LearnResult& result() const;
 
   /// Segments and evaluates again. An edit that fails (strokes outside the image, nothing left of
@@ -32,7 +32,7 @@ class InteractiveLesson {
   /// reason.
   LearnResult edit(const LessonEdit& edit, const StageObserver& observer = {});
 
-  /// Undoes the last edit exactly. False if there is none; 64 are kept.
+  /// Undoes the last edit exactly. False if there is none; the last 64 edits are kept.
   bool undo();
 
  private:

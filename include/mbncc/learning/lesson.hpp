@@ -15,8 +15,8 @@
 
 namespace mbncc {
 
-/// Input of a lesson. Exactly one indication of the object's place must be usable:
-/// a ready `map`, an `outline`, a `click`, a `region`, or an `after` image.
+/// Input of a lesson. At least one of `map`, `outline`, `click`, `region` and `after` must indicate
+/// the object's place.
 struct Lesson {
   cv::Mat before;   ///< CV_8UC3, the object lies on the platform
   cv::Mat after;    ///< CV_8UC3 of the same size, the object is gone; may be empty
@@ -24,7 +24,7 @@ struct Lesson {
   std::vector<cv::Point2f> outline;  ///< [px] polygon on `before`
   std::optional<cv::Point2f> click;  ///< [px] a point on the object
   cv::Mat map;                       ///< CV_8UC1 of before's size, used unchanged
-  std::optional<Pose2D> reference;   ///< [px],[rad] object frame; none: centroid of the map, 0
+  std::optional<Pose2D> reference;   ///< [px],[rad] object frame; none: map's centroid, theta 0
   std::string name;
   std::string label;            ///< "" : same as name
   double object_height = 0;     ///< [m]
@@ -39,7 +39,7 @@ enum class Stage { kRegion, kSegment, kQuality };
 using StageObserver = std::function<bool(Stage stage, double progress, const std::string& message,
                                          const cv::Mat& image)>;
 
-/// The object, put aside within the view of the image after.
+/// The object where it was put aside, within the view of the image after.
 struct PutAside {
   Pose2D pose;           ///< [px],[rad] of the object frame there
   double agreement = 0;  ///< [0..1] IoU of the learned map with the map segmented there

@@ -16,7 +16,7 @@ struct LessonEdit {
 
   std::vector<Line> include;        ///< belongs to the object
   std::vector<Line> exclude;        ///< belongs to the background; overrides `include`
-  double stroke_width = 0;          ///< [px] of the lines, at most 1000; 0: closed areas
+  double stroke_width = 0;          ///< [px] width of the lines, at most 1000; 0: filled areas
   cv::Rect region;                  ///< [px] new approximate region; empty: as before
   std::optional<Pose2D> reference;  ///< [px],[rad] object frame
 };

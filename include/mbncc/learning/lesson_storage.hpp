@@ -33,8 +33,8 @@ enum class Storing {
   kAddView   ///< there must be one; the lesson's image becomes its further view
 };
 
-/// Why a lesson of this name, label, height, symmetry and reference cannot be stored; none: it may
-/// start. A further view provides only the image; all other values are those of the stored
+/// Why a lesson of this name, label, height, symmetry and reference cannot be stored; none if it
+/// may start. A further view provides only the image; all other values are those of the stored
 /// object.
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library);

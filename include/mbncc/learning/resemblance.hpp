@@ -11,9 +11,9 @@
 
 namespace mbncc {
 
-/// Searches the known objects (except those of the same name) at the place of `object` in its
-/// learning image, and records the one with the highest score. If that one would be graspable
-/// there, the verdict is MARGINAL at best, for the reason "resembles_known".
+/// Searches the place of `object` in its learning image for the known objects (except those of the
+/// same name), and records the one with the highest score. If that one would be graspable there,
+/// the verdict is MARGINAL at best, for the reason "resembles_known".
 void note_resemblance(ObjectModel& object, const cv::Mat& image,
                       const std::vector<std::shared_ptr<const ObjectModel>>& known,
                       const SearchConfig& search = {});

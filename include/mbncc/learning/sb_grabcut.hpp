@@ -20,18 +20,18 @@ cv::Mat repeatable_grabcut(const cv::Mat& image, const cv::Mat& mask, int iterat
                            const BeforeCut& before_cut = {});
 
 /// SB-GrabCut: about `superpixels` superpixels by `method` ("seeds" or "slic"), their mean colours,
-/// and GrabCut on that simplified image from the superpixels that lie mostly inside `approximate`
-/// (CV_8UC1, 255 inside). `region` bounds the object. Works on a crop with background on every side
-/// of the region. Returns a map of the image's size.
+/// and GrabCut on that simplified image, initialised with the superpixels that lie mostly inside
+/// `approximate` (CV_8UC1, 255 inside). `region` bounds the object. Works on a crop with background
+/// on every side of the region. Returns a map of the image's size.
 cv::Mat sb_grabcut(const cv::Mat& image, const cv::Rect& region, const cv::Mat& approximate,
                    const std::string& method, int superpixels, int iterations,
                    const BeforeCut& before_cut = {});
 
-/// Traditional GrabCut from the rectangle only.
+/// Traditional GrabCut, initialised with `region` only.
 cv::Mat grabcut_rect(const cv::Mat& image, const cv::Rect& region, int iterations,
                      const BeforeCut& before_cut = {});
 
-/// Traditional GrabCut from the approximate region's pixels.
+/// Traditional GrabCut, initialised with the pixels of `approximate` (CV_8UC1, 255 inside).
 cv::Mat grabcut_mask(const cv::Mat& image, const cv::Rect& region, const cv::Mat& approximate,
                      int iterations, const BeforeCut& before_cut = {});
 

@@ -19,7 +19,7 @@ Superpixels seeds_superpixels(const cv::Mat& image, int wanted);
 /// SLIC superpixels (Achanta et al.), about `wanted` of them.
 Superpixels slic_superpixels(const cv::Mat& image, int wanted);
 
-/// By "seeds" or "slic"; std::invalid_argument for another method.
+/// Superpixels by `method` "seeds" or "slic"; throws std::invalid_argument for another method.
 Superpixels superpixels_of(const cv::Mat& image, const std::string& method, int wanted);
 
 /// Paints each superpixel in its mean colour, which removes texture and keeps the object's

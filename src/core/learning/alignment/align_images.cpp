@@ -15,9 +15,9 @@
 namespace mbncc::alignment {
 namespace {
 
-constexpr int kLeastRing = 40;          // [px] width of the ring
-constexpr uchar kGlare = 247;           // [grey levels] above, a pixel may be clipped
-constexpr double kLeastTrusted = 0.15;  // of the window, below which the ring is too thin
+constexpr int kLeastRing = 40;          // [px] least width of the ring
+constexpr uchar kGlare = 247;           // [grey levels] brighter pixels may be clipped
+constexpr double kLeastTrusted = 0.15;  // part of the window; a smaller ring is too thin
 
 cv::Mat floats(const cv::Mat& image) {
   cv::Mat values;
@@ -43,8 +43,8 @@ cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& c
   return ~near_change;
 }
 
-// Difference of the images after correction by `light`, summed over channels, averaged over 7
-// x 7.
+// Difference of the images after correction by `light`, summed over channels, averaged over 7 x 7
+// pixels.
 cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const Light& light) {
   cv::Mat difference(before.size(), CV_32FC1);
   imaging::for_each_strip(before.rows, [&](const cv::Range& rows) {

@@ -11,11 +11,12 @@ struct AlignedPair {
   cv::Mat before;     ///< CV_32FC3, the window of `before`
   cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
   cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
-  cv::Point2d shift;  ///< [px] that was compensated
+  cv::Point2d shift;  ///< [px] compensated camera shift
 };
 
 /// `before` and `after` are CV_8UC3 of one size, `region` lies inside them and contains the change.
-/// `changed` is the survey's; it replaces the ring if the region leaves too little of it.
+/// `changed` is ChangeSurvey::changed; if the region leaves too little of the ring, the unchanged
+/// pixels of the window replace it.
 AlignedPair align_images(const cv::Mat& before, const cv::Mat& after, const cv::Rect& region,
                          const cv::Mat& changed, double max_shift);
 

@@ -13,17 +13,17 @@
 namespace mbncc::alignment {
 namespace {
 
-constexpr double kEnough = 8000;            // samples
-constexpr std::size_t kFewest = 200;        // samples
-constexpr std::size_t kSmallImage = 10000;  // [px] coarsest size for the shift
-constexpr int kRounds = 6;                  // of Gauss-Newton, at each size
-constexpr double kLongestStep = 2;          // [px] range of the linearisation
-constexpr double kConverged = 0.01;         // [px]
-constexpr double kWorthwhile = 0.04;        // [px] smaller shifts are not interpolated
-constexpr double kClearGain = 0.98;         // of the cost without a shift
-constexpr double kLeastSpread = 0.3;        // [grey levels]
+constexpr double kEnough = 8000;            // samples that suffice
+constexpr std::size_t kFewest = 200;        // samples; with fewer, no shift is estimated
+constexpr std::size_t kSmallImage = 10000;  // [px] largest area of the coarsest level
+constexpr int kRounds = 6;                  // most Gauss-Newton steps at each level
+constexpr double kLongestStep = 2;          // [px] longest step, the range of the linearisation
+constexpr double kConverged = 0.01;         // [px] a shorter step is the last one
+constexpr double kWorthwhile = 0.04;        // [px] smaller shifts are not compensated
+constexpr double kClearGain = 0.98;         // a shift must reduce the cost below this part
+constexpr double kLeastSpread = 0.3;        // [grey levels] least spread of the residuals
 
-// Both images and their comparable pixels, at one size.
+// Both images and their comparable pixels, at one pyramid level.
 struct Level {
   cv::Mat before, after;  // CV_32FC1
   cv::Mat trusted;        // CV_8UC1
@@ -73,7 +73,7 @@ class Shifted {
 
 struct Cost {
   double value = 0;   // mean of residuals, clipped at three standard deviations
-  double spread = 0;  // [grey levels]
+  double spread = 0;  // [grey levels] robust standard deviation of the residuals
 };
 
 // The shift between the images of one level.

@@ -10,8 +10,9 @@ namespace mbncc::alignment {
 cv::Mat smooth_luminance(const cv::Mat& image);
 
 /// Displacement d [px] such that before(x) = after(x + d) on the `trusted` pixels (CV_8UC1), by
-/// robust Gauss-Newton from 0. (0, 0) unless it explains the images clearly better than no shift,
-/// and if it is longer than `max_shift`. Images from smooth_luminance().
+/// robust Gauss-Newton from 0. (0, 0) if it does not explain the images clearly better than no
+/// shift, or if it is shorter than 0.04 or longer than `max_shift` [px]. The images are from
+/// smooth_luminance().
 cv::Point2d estimate_shift(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted,
                            double max_shift);
 

@@ -8,7 +8,7 @@
 namespace mbncc::alignment {
 namespace {
 
-// Catmull and Rom's, which moves slopes by exactly `part` of a pixel; OpenCV's cubic does not.
+// Catmull-Rom kernel. Unlike OpenCV's cubic kernel, it shifts slopes by exactly `part` of a pixel.
 cv::Mat cubic_kernel(double part) {
   const double t = part, tt = t * t, ttt = tt * t;
   return (cv::Mat_<float>(1, 4) << (-t + 2 * tt - ttt) / 2, (2 - 5 * tt + 3 * ttt) / 2,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Shifts an image by a part of a pixel.
+// Shifts an image with sub-pixel accuracy.
 #pragma once
 
 #include <opencv2/core.hpp>

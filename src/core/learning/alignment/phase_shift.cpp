@@ -8,7 +8,7 @@
 namespace mbncc::alignment {
 namespace {
 
-constexpr int kAround = 2;  // [px] of a peak used for its sub-pixel position
+constexpr int kAround = 2;  // [px] neighbourhood of a peak that gives its sub-pixel position
 
 std::vector<float> half_hanning(int size) {
   std::vector<float> window(size);
@@ -17,7 +17,8 @@ std::vector<float> half_hanning(int size) {
   return window;
 }
 
-// Under a window whose square is Hanning's, in a frame of a size that is quickly transformed.
+// The image times the square root of a Hanning window, padded to a size with a fast Fourier
+// transform.
 cv::Mat windowed(const cv::Mat& image) {
   const auto across = half_hanning(image.cols), down = half_hanning(image.rows);
   cv::Mat framed = cv::Mat::zeros(cv::getOptimalDFTSize(image.rows),
@@ -43,8 +44,8 @@ void normalise(float& real) {
   normalise(real, none);
 }
 
-// A column of numbers whose imaginary parts lie below their real ones; the first has none, and of
-// an even count the last.
+// Normalises a column in which each imaginary part is stored below its real part; the first number
+// has no imaginary part, nor has the last one of an even count.
 void normalise_column(cv::Mat& spectrum, int x) {
   normalise(spectrum.at<float>(0, x));
   for (int y = 1; y + 1 < spectrum.rows; y += 2)
@@ -66,7 +67,8 @@ int wrapped(int place, int size) {
   return (place + size) % size;
 }
 
-// Centroid around the highest value, up to half the size in either direction.
+// Position of the highest value, refined by the centroid around it; within half the size in either
+// direction.
 cv::Point2d peak_of(const cv::Mat& correlation) {
   cv::Point peak;
   cv::minMaxLoc(correlation, nullptr, nullptr, nullptr, &peak);

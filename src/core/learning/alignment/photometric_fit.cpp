@@ -10,12 +10,12 @@
 namespace mbncc::alignment {
 namespace {
 
-constexpr int kFinestStep = 3;        // [px] sampling of the images
-constexpr double kEnough = 2000;      // samples
-constexpr std::size_t kFewest = 200;  // samples
-constexpr int kRounds = 5;            // of reweighting, at most
-constexpr double kSettled = 0.05;     // [grey levels]
-constexpr double kLeastSpread = 0.5;  // [grey levels] rounding alone
+constexpr int kFinestStep = 3;        // [px] finest sampling step
+constexpr double kEnough = 2000;      // samples that suffice
+constexpr std::size_t kFewest = 200;  // samples; with fewer, the light is the identity
+constexpr int kRounds = 5;            // most rounds of reweighting
+constexpr double kSettled = 0.05;     // [grey levels] a smaller change of the light ends the fit
+constexpr double kLeastSpread = 0.5;  // [grey levels] least spread, from rounding alone
 constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
 
 // One equation: difference = a g + a u gx + a v gy + offset.
@@ -59,7 +59,8 @@ float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
       std::max(static_cast<float>(kLeastSpread), numeric::median(residuals)));
 }
 
-// Weak priors per sample keep terms at 0 that the scene cannot separate.
+// Weak priors, proportional to the number of samples, keep terms at 0 that the scene does not
+// determine.
 cv::Matx44d prior(double samples, bool planar) {
   const double plane = planar ? samples * 40 : kFrozen;
   return cv::Matx44d::diag({samples * 20, plane, plane, samples * 0.005});
@@ -91,7 +92,7 @@ float median_difference(const std::vector<Sample>& samples) {
   return numeric::median(differences);
 }
 
-// Largest difference of two lights on a pixel of medium brightness. [grey levels]
+// Largest difference [grey levels] that two lights make on a pixel of medium brightness.
 double difference_of(const cv::Vec4d& a, const cv::Vec4d& b) {
   const cv::Vec4d d = a - b;
   return 128 * (std::abs(d[0]) + std::abs(d[1]) / 2 + std::abs(d[2]) / 2) + std::abs(d[3]);

@@ -23,7 +23,7 @@ using Light = std::array<ChannelLight, 3>;
 /// CV_32FC3. Without `planar` the gain is constant. Fewer than 200 samples give the identity.
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar);
 
-/// These rows of `after` (CV_8UC3 or CV_32FC3) in the light of `before`, CV_32FC3.
+/// The given rows of `after` (CV_8UC3 or CV_32FC3), corrected to the light of `before`, CV_32FC3.
 cv::Mat apply_light(const cv::Mat& after, const Light& light,
                     const cv::Range& rows = cv::Range::all());
 

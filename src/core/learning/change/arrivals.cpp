@@ -11,10 +11,10 @@
 namespace mbncc::change {
 namespace {
 
-constexpr double kArrivalScore = -1.5;  // an arrival scores less
-constexpr double kClearance = 2;        // and is lower than the best patch by this much
-constexpr int kSeam = 7;                // [px]
-constexpr int kSmallestPatch = 20;      // [px]
+constexpr double kArrivalScore = -1.5;  // departure score below which a patch may be an arrival
+constexpr double kClearance = 2;    // an arrival scores lower than the best patch by at least this
+constexpr int kSeam = 7;            // [px] patches less far apart are joined
+constexpr int kSmallestPatch = 20;  // [px] least area of an arrival
 
 std::vector<int> areas_of(const cv::Mat& labels, int count) {
   std::vector<int> areas(count, 0);

@@ -17,12 +17,14 @@
 namespace mbncc {
 namespace {
 
-constexpr float kLeastDifference = 18;  // [grey levels, summed over channels] above usual noise
-constexpr float kNoiseFactor = 5;       // factor of a change to the median difference
-constexpr float kSureDifference = 45;   // [likewise] a change in any case
-constexpr double kClearGain = 0.8;      // a shift must lower the difference to this part
-constexpr int kSampling = 2;            // [px] of the survey, for medians
-constexpr double kBlackLevel = 10;      // [grey levels] possible black level of cameras
+// [grey levels, summed over channels] Least threshold of a changed pixel, above usual noise.
+constexpr float kLeastDifference = 18;
+constexpr float kNoiseFactor = 5;  // threshold of a changed pixel, in median differences
+// [grey levels, summed over channels] Largest threshold of a changed pixel.
+constexpr float kSureDifference = 45;
+constexpr double kClearGain = 0.8;  // a shift must reduce the difference below this part
+constexpr int kSampling = 2;        // [px] sampling step for medians
+constexpr double kBlackLevel = 10;  // [grey levels] possible black level of cameras
 
 // CV_32FC1 of a CV_8UC3 image times `gain` per channel.
 cv::Mat grey_of(const cv::Mat& image, const cv::Scalar& gain) {
@@ -35,14 +37,15 @@ cv::Mat grey_of(const cv::Mat& image, const cv::Scalar& gain) {
   return grey;
 }
 
-// Mean difference of two grey images; large ones count no more than kLeastDifference.
+// Mean difference of two grey images; a pixel counts at most kLeastDifference.
 double mean_difference(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat difference;
   cv::absdiff(before, after, difference);
   return cv::mean(cv::min(difference, kLeastDifference))[0];
 }
 
-// By phase correlation, used only if it explains the images.
+// Camera shift by phase correlation; (0, 0) if it does not clearly reduce the difference of the
+// images.
 cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   const cv::Point2d shift = alignment::phase_shift(before, after);
   const cv::Rect inner(before.cols / 4, before.rows / 4, before.cols / 2, before.rows / 2);
@@ -52,8 +55,8 @@ cv::Point2d coarse_shift(const cv::Mat& before, const cv::Mat& after) {
   return explains ? shift : cv::Point2d();
 }
 
-// Difference of the images, the one after times `gain`, summed over channels, averaged over
-// 3 x 3.
+// Difference of `before` and `after` times `gain`, summed over channels, averaged over 3 x 3
+// pixels.
 cv::Mat difference_of(const cv::Mat& before, const cv::Mat& after, const cv::Scalar& gain) {
   cv::Mat difference(before.size(), CV_32FC1), b, a;
   imaging::for_each_strip(before.rows, [&](const cv::Range& rows) {
@@ -76,8 +79,8 @@ float change_threshold(const cv::Mat& difference) {
   return std::clamp(kNoiseFactor * numeric::median(values), kLeastDifference, kSureDifference);
 }
 
-// Factor >= 1 between images that have the mean `brightness` after compensation. In dark images
-// a black level looks like exposure, but does not change the contrast.
+// Exposure ratio >= 1 of images that have the mean `brightness` after compensation. In dark images,
+// another black level looks like another exposure, but does not change the contrast.
 double exposure_change(double gain, double contrast, double brightness) {
   const auto factor = [](double ratio) { return std::max(ratio, 1 / std::max(ratio, 1e-3)); };
   const bool is_black_level = std::abs(1 - contrast) * brightness < kBlackLevel;

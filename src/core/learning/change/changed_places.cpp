@@ -9,18 +9,18 @@
 namespace mbncc::change {
 namespace {
 
-constexpr double kMargin = 0.15;      // of a changed region's longer side
-constexpr double kNoisyMargin = 0.6;  // likewise, where noise hides part of the change
+constexpr double kMargin = 0.15;      // margin as a part of a region's longer side
+constexpr double kNoisyMargin = 0.6;  // margin where noise hides part of the change
 constexpr int kGap = 9;               // [px] pieces nearer than this are joined
 
 struct Patch {
   cv::Rect box;
   int area = 0;       // [px]
-  double weight = 0;  // sum over its pixels
+  double weight = 0;  // sum of its pixels' weights
 };
 
-// Groups of changed pixels, with nearby pieces joined. `labels` contains the result's index plus
-// one.
+// Groups of changed pixels, with nearby pieces joined. `labels` contains each group's index in the
+// result plus one.
 std::vector<Patch> joined_patches(const cv::Mat& changed, cv::Mat& labels) {
   cv::Mat joined, stats, centres;
   cv::morphologyEx(changed, joined, cv::MORPH_CLOSE,

@@ -11,10 +11,11 @@ namespace {
 constexpr int kMostComponents = 5;
 constexpr int kMostSamples = 3000;
 constexpr int kFewestSamples = 20;
-constexpr int kRounds = 2;             // of reassignment
-constexpr double kLeastSpread = 4;     // [grey levels^2] narrower clusters are not split
-constexpr double kRegularity = 16;     // [grey levels^2] added to each covariance's diagonal
-constexpr float kLeastWeight = 0.01F;  // of a sample: few certain pixels must not form a component
+constexpr int kRounds = 2;          // of reassignment
+constexpr double kLeastSpread = 4;  // [grey levels^2] narrower clusters are not split
+constexpr double kRegularity = 16;  // [grey levels^2] added to each covariance's diagonal
+// Least weight of a sample, so that a few certain pixels do not form a component.
+constexpr float kLeastWeight = 0.01F;
 const double kLog2Pi = std::log(2 * CV_PI);
 
 struct Sample {
@@ -36,7 +37,7 @@ struct Moments {
       for (int j = i; j < 3; ++j) covariance(i, j) += sample.weight * (colour[i] * colour[j]);
   }
 
-  // Makes sums into means.
+  // Converts the sums to means.
   void finish() {
     if (weight <= 0) return;
     mean *= 1 / weight;
@@ -58,7 +59,7 @@ std::vector<Sample> draw_samples(const cv::Mat& image, const cv::Mat& mask, cons
   return samples;
 }
 
-// Of the first `count` components.
+// Moments of the first `count` components.
 std::vector<Moments> moments_of(const std::vector<Sample>& samples, int count) {
   std::vector<Moments> moments(count);
   for (const auto& sample : samples) moments[sample.component].add(sample);

@@ -8,11 +8,11 @@
 namespace mbncc::change {
 namespace {
 
-constexpr float kLogCap = 4;      // of one pixel's evidence
-constexpr float kEdgeWeight = 4;  // of the border's evidence
+constexpr float kLogCap = 4;      // largest log-evidence of one pixel
+constexpr float kEdgeWeight = 4;  // weight of the border's evidence
 constexpr float kEdgeFloor = 8;   // [grey levels] weaker edges have little weight
 
-// Grey edges, the strongest within a pixel.
+// Strength of grey edges: each pixel takes the strongest within one pixel.
 cv::Mat edge_strength(const cv::Mat& image) {
   cv::Mat grey, gx, gy, strength;
   cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
@@ -32,8 +32,8 @@ bool on_border(const cv::Mat& labels, int y, int x) {
 }
 
 struct PatchSums {
-  double platform = 0, pixels = 0;         // evidence of the colours
-  double edge_before = 0, edge_after = 0;  // along the border
+  double platform = 0, pixels = 0;         // sum of the colours' evidence
+  double edge_before = 0, edge_after = 0;  // sums along the border
   double border = 0;                       // [px]
 
   double score() const {

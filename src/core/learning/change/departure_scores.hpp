@@ -10,9 +10,9 @@
 
 namespace mbncc::change {
 
-/// Score [1] of a departure from the patch `label` of `labels` against an arrival: its pixels look
-/// more like platform afterwards, and its border is an edge only before. Departures score about +2
-/// .. +7, arrivals -1 .. -7. Index 0 (no patch) is 0.
+/// Per patch of `labels` (CV_32SC1, 0 .. `count` - 1), the score [1] of a departure as opposed to
+/// an arrival: after a departure, the patch looks more like the platform, and its border is an edge
+/// only before. Departures score about +2 .. +7, arrivals -1 .. -7. Index 0 (no patch) is 0.
 std::vector<double> departure_scores(const cv::Mat& before, const cv::Mat& after,
                                      const cv::Mat& labels, int count,
                                      const ColourMixture& platform);

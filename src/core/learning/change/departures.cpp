@@ -10,7 +10,7 @@
 namespace mbncc::change {
 namespace {
 
-constexpr double kLoneArrivalScore = -0.5;  // the same, without another patch to compare with
+constexpr double kLoneArrivalScore = -0.5;  // score below which a patch is an arrival
 
 cv::Mat surveyed(const cv::Mat& image) {
   cv::Mat values;

@@ -11,9 +11,9 @@
 namespace mbncc::change {
 namespace {
 
-constexpr int kSampling = 2;  // [px]
+constexpr int kSampling = 2;  // [px] sampling step
 
-using Ratios = std::array<std::vector<float>, 3>;  // of brightness, per channel
+using Ratios = std::array<std::vector<float>, 3>;  // ratios of brightness, per channel
 
 // Dark and saturated pixels are ignored.
 Ratios brightness_ratios(const cv::Mat& before, const cv::Mat& after) {

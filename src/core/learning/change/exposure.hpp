@@ -8,8 +8,8 @@ namespace mbncc::change {
 
 struct Exposure {
   cv::Vec3f gain{1, 1, 1};  ///< gain that makes the image after as bright as the one before
-  double mean = 1;          ///< of the gain over the channels
-  double unevenness = 1;    ///< largest over smallest gain of the image's quarters
+  double mean = 1;          ///< mean of the gain over the channels
+  double unevenness = 1;    ///< ratio of the largest to the smallest gain of the image's quarters
 };
 
 /// Medians over pixels, so that changes in less than half of an image have no influence. Both

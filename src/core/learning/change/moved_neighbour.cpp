@@ -11,22 +11,22 @@
 namespace mbncc::change {
 namespace {
 
-// All lengths are pixels of the halved images.
+// All lengths are in pixels of the images at half resolution.
 constexpr int kReach = 8;             // largest displacement of a neighbour
 constexpr int kPatch = 3;             // half the side of the squares that are compared
-constexpr int kStride = 2;            // of the squares
-constexpr int kCompany = 7;           // squares this near must have moved alike
-constexpr int kFewestAlike = 6;       // of them
-constexpr double kPartAlike = 0.4;    // likewise
+constexpr int kStride = 2;            // distance between the squares
+constexpr int kCompany = 7;           // distance within which squares must have moved alike
+constexpr int kFewestAlike = 6;       // least number of squares within kCompany that moved alike
+constexpr double kPartAlike = 0.4;    // least part of the squares within kCompany that moved alike
 constexpr float kNoiseFactor = 3;     // mean square explained by noise, in variances
 constexpr float kLeftPart = 0.3F;     // part of a square's contrast that may stay unexplained
-constexpr float kLeastContrast = 40;  // [grey levels^2] of a square that can be recognised
+constexpr float kLeastContrast = 40;  // [grey levels^2] least contrast of a recognisable square
 
 struct Motion {
   cv::Point at, by;
 };
 
-// Sum of squares between two squares; stops beyond `limit`.
+// Sum of squared differences between two squares; stops beyond `limit`.
 float mismatch(const cv::Mat& before, const cv::Point& p, const cv::Mat& after, const cv::Point& q,
                float limit) {
   float sum = 0;
@@ -38,7 +38,7 @@ float mismatch(const cv::Mat& before, const cv::Point& p, const cv::Mat& after, 
   return sum;
 }
 
-// Sum of squares about the square's mean colour.
+// Sum of squared deviations from the square's mean colour.
 float contrast_of(const cv::Mat& image, const cv::Point& p) {
   const cv::Mat square =
       image(cv::Rect(p.x - kPatch, p.y - kPatch, 2 * kPatch + 1, 2 * kPatch + 1));

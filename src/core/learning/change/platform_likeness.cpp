@@ -10,7 +10,7 @@
 namespace mbncc::change {
 namespace {
 
-constexpr double kSmoothing = 1;  // [px]
+constexpr double kSmoothing = 1;  // [px] standard deviation
 constexpr double kRare = 0.05;    // part of the platform's own pixels that counts as rare
 
 cv::Mat smoothed(const cv::Mat& image, const cv::Rect& box) {
@@ -20,7 +20,7 @@ cv::Mat smoothed(const cv::Mat& image, const cv::Rect& box) {
   return values;
 }
 
-// The density that all but the rare pixels on the map have.
+// Density that all but the rarest pixels (kRare) on the map reach.
 float usual_density(const cv::Mat& densities, const cv::Mat& map) {
   std::vector<float> values;
   for (int y = 0; y < map.rows; ++y)

@@ -7,8 +7,8 @@
 namespace mbncc::change {
 
 /// [0..1] Part of `map` (CV_8UC1, not empty) whose colours in `before` are as frequent as those
-/// that `after` shows there (both CV_8UC3): 0 for a departed object of colours that the platform
-/// under it lacks, about 1 where only the platform's texture moved.
+/// that `after` shows there (both CV_8UC3): 0 if an object left whose colours the platform under it
+/// lacks, about 1 if only the platform's texture moved.
 double platform_likeness(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map);
 
 }  // namespace mbncc::change

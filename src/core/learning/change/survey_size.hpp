@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The size for the survey of whole images.
+// The image size at which whole images are surveyed for change.
 #pragma once
 
 #include <algorithm>
@@ -9,12 +9,12 @@ namespace mbncc::change {
 
 constexpr int kSurveyWidth = 320;  ///< [px]
 
-/// From an image of this width [px] to the survey's, which is never larger.
+/// Scale factor from an image of `width` [px] to the size of the survey, at most 1.
 inline double survey_scale(int width) {
   return std::min(1.0, static_cast<double>(kSurveyWidth) / width);
 }
 
-/// `image` at the survey's size.
+/// `image` scaled to the size of the survey.
 inline cv::Mat survey_sized(const cv::Mat& image) {
   const double scale = survey_scale(image.cols);
   cv::Mat small;

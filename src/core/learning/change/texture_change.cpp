@@ -12,10 +12,11 @@
 namespace mbncc::change {
 namespace {
 
-constexpr int kTextureBox = 15;       // [px] texture is compared in such squares
+constexpr int kTextureBox = 15;       // [px] side of the squares in which texture is compared
 constexpr double kTextured = 9;       // [grey levels^2] variance above which a square has texture
-constexpr double kSameTexture = 0.5;  // correlation of squares that show the same
-constexpr double kContrasty = 36;  // [grey levels^2] variance beside which noise adds no contrast
+constexpr double kSameTexture = 0.5;  // least correlation of squares that show the same texture
+// [grey levels^2] Variance from which noise adds no noticeable contrast.
+constexpr double kContrasty = 36;
 constexpr double kWhite = 255;
 constexpr int kSampling = 4;          // [px] for the median of contrast
 constexpr std::size_t kFewest = 200;  // least number of samples of contrast
@@ -33,8 +34,7 @@ cv::Mat box_mean(const cv::Mat& values) {
   return mean;
 }
 
-// Whether a square of this mean and variance has pixels near the brightest grey level, which lost
-// contrast.
+// Whether a square of this mean and variance has pixels near `white`, where contrast is lost.
 bool reaches(double white, double mean, double variance) {
   return mean + 2 * std::sqrt(variance) > 0.95 * white;
 }

@@ -13,14 +13,14 @@ struct TextureChange {
   /// texture of both images, so the smaller part is returned: in a scene that was cleared, the
   /// remaining texture is unchanged.
   double displaced = 0;
-  /// Median factor from the contrast of a square after to that before; 1 if too little is textured,
-  /// or all of it is near white. Contrast depends on the gain but not on an offset, which in dark
-  /// images resembles a gain.
+  /// Median ratio of a square's contrast before to its contrast after; 1 if too little is textured,
+  /// or all textured squares are near white. Contrast depends on the gain but not on an offset,
+  /// which in dark images resembles a gain.
   double contrast = 1;
 };
 
-/// Of grey images, CV_32FC1 and of one size; 255 is white in `before`, and `white` in `after`,
-/// which has been made as bright.
+/// Compares grey images (CV_32FC1, same size). `after` was scaled to the brightness of `before`;
+/// white is 255 in `before` and `white` in `after`.
 TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white);
 
 }  // namespace mbncc::change

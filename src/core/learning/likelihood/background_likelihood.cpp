@@ -13,23 +13,23 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr float kStudentFreedom = 30;       // tails of the unchanged term
-constexpr float kShadowWeight = 0.12F;      // prior of a pixel lying in a shadow
-constexpr float kOutlierWeight = 0.03F;     // prior of any colour at all (glints, dust)
-constexpr float kPlatformWeight = 0.0001F;  // prior of platform from elsewhere (something shifted)
+constexpr float kStudentFreedom = 30;       // degrees of freedom of Student's distribution
+constexpr float kShadowWeight = 0.12F;      // prior of a pixel in a shadow
+constexpr float kOutlierWeight = 0.03F;     // prior of an arbitrary colour (glints, dust)
+constexpr float kPlatformWeight = 0.0001F;  // prior of another platform colour (something shifted)
 constexpr float kShadowScale = 0.25F;       // log-prior: small changes of light are more likely
-constexpr float kShadowTint = 0.1F;      // deviation of one channel, part of the light taken away
-constexpr float kShadowSlope = 0.1F;     // deviation of all channels alike, likewise
+constexpr float kShadowTint = 0.1F;         // deviation of one channel, per light taken away
+constexpr float kShadowSlope = 0.1F;     // common deviation of all channels, per light taken away
 constexpr float kShadowNoise = 1.2F;     // variance of a shadowed pixel, relative
 constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged over this square
 constexpr float kTextureLost = 6;        // largest log-odds of covered texture against a shadow
 constexpr float kTextureKept = 4;        // largest log-odds of visible texture for a shadow
-constexpr float kFaintlyChanged = 0.9F;  // probability of change seen only in windows
-constexpr float kGradualLight = 5;       // log-odds of platform that gradual light adds
-constexpr float kHighestRatio = 60;      // cap of the logarithms
+constexpr float kFaintlyChanged = 0.9F;  // probability of change found only in windows
+constexpr float kGradualLight = 5;       // log-odds of platform added for gradual light
+constexpr float kHighestRatio = 60;      // largest log-likelihood ratio
 constexpr float kHardlyPossible = 20;    // log-prior against light beyond its plausible range
 
-// Remaining light: least squares factor of before over after in a small square.
+// Light that a shadow leaves: least-squares factor from `after` to `before` in a small square.
 cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat both(before.size(), CV_32FC1), squares(before.size(), CV_32FC1);
   for (int y = 0; y < before.rows; ++y) {
@@ -49,7 +49,7 @@ cv::Mat remaining_light(const cv::Mat& before, const cv::Mat& after) {
   return light;
 }
 
-// Range of the light in a shadow, in the image before or after.
+// Limits the light to the range that a shadow in either image may leave.
 cv::Mat plausible(const cv::Mat& light, float darkest) {
   return cv::max(cv::min(light, 1 / darkest), darkest);
 }
@@ -77,11 +77,11 @@ Fit fit_unchanged(const cv::Mat& before, const cv::Mat& after, const cv::Mat& va
   return fit;
 }
 
-// Symmetric 3 x 3 matrix by its upper half.
+// Symmetric 3 x 3 matrix, stored as its upper triangle.
 struct Covariance {
   float c00, c01, c02, c11, c12, c22;
 
-  // Sets the determinant and returns the squared Mahalanobis distance.
+  // Sets the determinant and returns the squared Mahalanobis distance of `e`.
   float distance(const cv::Vec3f& e, float& determinant) const {
     const float a00 = c11 * c22 - c12 * c12, a01 = c02 * c12 - c01 * c22,
                 a02 = c01 * c12 - c02 * c11, a11 = c00 * c22 - c02 * c02,
@@ -93,7 +93,7 @@ struct Covariance {
   }
 };
 
-// Of a shadowed pixel: noise, a depth that changes within the box, and a tint.
+// Covariance of a shadowed pixel: noise, a shadow depth that varies within the box, and a tint.
 Covariance shadow_covariance(const cv::Vec3f& after, const cv::Vec3f& variance, float light,
                              const cv::Matx33f& correlation) {
   const float lost = 1 - light;
@@ -136,7 +136,8 @@ cv::Mat log_student(Fit& fit, float tail) {
   return constant - 0.5F * determinant - 0.5F * (kStudentFreedom + 3) * tails;
 }
 
-// Light shadows are more likely, and a shadow leaves the platform's texture visible.
+// Log-prior of a shadow: faint shadows are more likely, and a shadow leaves the platform's texture
+// visible.
 cv::Mat log_shadow_prior(const cv::Mat& light, float darkest, const cv::Mat& lost) {
   cv::Mat prior(light.size(), CV_32FC1);
   for (int y = 0; y < light.rows; ++y) {
@@ -179,7 +180,7 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   const cv::Mat lost = texture_loss(before, after, plausible(light, darkest_shadow), variance);
   Fit unchanged = fit_unchanged(before, after, variance, noise.correlation);
   Fit shaded = fit_shadow(before, after, light, variance, noise.correlation);
-  // Before pooling.
+  // Copied before log_student() pools the distances.
   const Misfit misfit{unchanged.distance.clone(), shaded.distance.clone()};
   const cv::Mat plain = exponential(log_student(unchanged, noise.tail) +
                                     std::log(1 - kOutlierWeight - kShadowWeight));

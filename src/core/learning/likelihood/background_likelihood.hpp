@@ -19,7 +19,8 @@ struct BackgroundLikelihood {
 float log_uniform_colour();
 
 constexpr float kDarkestShadow =
-    0.3F;  ///< [0..1] light that a shadow, in either image, leaves at least
+    /// [0..1] Least light that a shadow in either image leaves.
+    0.3F;
 
 /// `before` and `after` are CV_32FC3, aligned. `platform` is the ring's colour mixture; it may be
 /// empty.

@@ -6,10 +6,10 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr float kLeastLight = 0.2F, kMostLight = 0.92F;  // that a shadow leaves [of the light]
-constexpr float kNearer =
-    0.4F;                      // distance to the shadowed colour, relative to that from it to grey
-constexpr float kVisible = 3;  // least distance of the shadowed colour from grey [sigma]
+constexpr float kLeastLight = 0.2F, kMostLight = 0.92F;  // limits of the light that a shadow leaves
+// Largest distance to the shadowed colour, relative to the distance of that colour from grey.
+constexpr float kNearer = 0.4F;
+constexpr float kVisible = 3;  // [sigma] least distance of the shadowed colour from grey
 
 }  // namespace
 

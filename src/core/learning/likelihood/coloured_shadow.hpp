@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Hard shadows on a platform with a colour of its own. Things are seldom of the same hue; black and
-// grey ones are common, so on a grey platform darkness alone distinguishes nothing.
+// Hard shadows on a coloured platform. Objects seldom have its hue, but black and grey objects are
+// common, so on a grey platform darkness alone does not distinguish a shadow from an object.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -8,7 +8,7 @@
 namespace mbncc::likelihood {
 
 /// CV_8UC1, 255 where `before` is darker than `after`, and its colour is that of `after` in less
-/// light rather than grey. Both CV_32FC3; `sigma` [grey levels] the noise of a channel's
+/// light rather than grey. Both CV_32FC3; `sigma` [grey levels] is the noise of a channel's
 /// difference.
 cv::Mat coloured_shadow(const cv::Mat& before, const cv::Mat& after, float sigma);
 

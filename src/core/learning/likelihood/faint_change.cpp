@@ -7,18 +7,18 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr float kFreedom = 3;       // channels: the mean squared distance of what is explained
-constexpr float kModelError = .06;  // of the brightness, which shadows differ from their model by
-constexpr float kHighest = 9;       // largest log-odds of a pixel
+constexpr float kFreedom = 3;       // channels; the mean squared distance of explained pixels
+constexpr float kModelError = .06;  // error of the shadow model, relative to the brightness
+constexpr float kHighest = 9;       // a pixel's squared distance counts at most this
 constexpr int kWindow = 7;          // [px]
-constexpr float kSignificant = 5;   // deviations of a window's mean
-constexpr float kNear = 4;          // mean squared distance of a pixel and its neighbours
-constexpr int kWideWindow = 9;      // [px]: gaps and rims are narrower
-constexpr float kWidePart = 0.5;    // of the wide window
+constexpr float kSignificant = 5;   // [standard deviations] significant mean of a window
+constexpr float kNear = 4;          // least mean squared distance of a pixel and its neighbours
+constexpr int kWideWindow = 9;      // [px] gaps and rims are narrower
+constexpr float kWidePart = 0.5;    // least changed part of the wide window
 constexpr int kWideGrown = 5;       // [px]
-constexpr float kDark = 0.33F;      // least part of noise in the expected distance, on average
+constexpr float kDark = 0.33F;      // least mean part of noise in the expected difference
 
-// Factor on squared distances for the model's error in addition to noise.
+// Factor on squared distances that accounts for the model's error in addition to noise.
 cv::Mat noise_part(const cv::Mat& after, const cv::Mat& variance, float tail) {
   cv::Mat part(after.size(), CV_32FC1);
   for (int y = 0; y < after.rows; ++y) {

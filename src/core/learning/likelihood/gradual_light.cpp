@@ -9,16 +9,17 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr double kBlur = 1.2;          // [px]
-constexpr float kDark = 4;             // [grey levels] added to both images
-constexpr float kMostLight = 5;        // factor between the images
-constexpr int kGap = 5;                // [px] narrower gaps in an edge are closed
-constexpr float kFarLower = 0.3F;      // of the barrier around most of the change: light
-constexpr float kLower = 0.5F;         // likewise, a shadow that leaves texture visible
-constexpr float kSteepestLight = 10;   // [grey levels / px]
-constexpr float kSteepestShadow = 20;  // [grey levels / px]
+constexpr double kBlur = 1.2;  // [px] standard deviation
+constexpr float kDark = 4;     // [grey levels] added to both images, for the ratios of dark pixels
+constexpr float kMostLight = 5;  // largest factor between the images
+constexpr int kGap = 5;          // [px] narrower gaps in an edge are closed
+// Steepest light, and steepest shadow with visible texture, as parts of the main barrier.
+constexpr float kFarLower = 0.3F;
+constexpr float kLower = 0.5F;
+constexpr float kSteepestLight = 10;   // [grey levels / px] steepest light in any case
+constexpr float kSteepestShadow = 20;  // [grey levels / px] steepest shadow in any case
 constexpr float kNoBrighter = 5;       // [grey levels] that noise may add to a shadow
-constexpr float kNoiseSlope = 0.5F;    // [1 / px] slope that noise of deviation 1 may have
+constexpr float kNoiseSlope = 0.5F;    // [1 / px] slope that noise of standard deviation 1 may have
 
 cv::Mat smooth(const cv::Mat& image) {
   cv::Mat blurred;
@@ -32,7 +33,7 @@ cv::Mat derivative(const cv::Mat& image, int across, int down) {
   return slope;
 }
 
-// The barrier that encloses most of the change, by squared differences.
+// Height of the main barrier, which encloses most of the change, weighted by squared differences.
 float main_barrier(const cv::Mat& barrier, const cv::Mat& before, const cv::Mat& after,
                    const cv::Mat& changed) {
   std::vector<std::pair<float, float>> weighed;
@@ -51,7 +52,7 @@ float main_barrier(const cv::Mat& barrier, const cv::Mat& before, const cv::Mat&
   return 0;
 }
 
-// Pixels where no channel is brighter before than after.
+// Pixels where no channel is brighter before than after, beyond noise.
 cv::Mat darker(const cv::Mat& before, const cv::Mat& after) {
   cv::Mat dark;
   cv::inRange(before - after, cv::Scalar::all(-1e9), cv::Scalar::all(kNoBrighter), dark);

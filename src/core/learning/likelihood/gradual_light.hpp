@@ -7,20 +7,21 @@
 
 namespace mbncc::likelihood {
 
-/// [grey levels / px] Slope of `before` minus `after` in the light of `before`: root of the squares
-/// summed over the channels. Both CV_32FC3 of one size; CV_32FC1.
+/// Slope [grey levels / px] of `before` minus `after`, with `after` in the light of `before`: root
+/// of the sum of squares over the channels, CV_32FC1. Both images are CV_32FC3 and of one size.
 cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after);
 
-/// [as `heights`] The least height that a path from the frame to each pixel must cross (minimax
-/// path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more; no path starts on the
-/// frame's pixels that `closed` (CV_8UC1, may be empty) marks. More than all heights where no path
-/// leads.
+/// Least height, in the unit of `heights`, that a path from the image's border to each pixel must
+/// cross (minimax path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more; no path
+/// starts on border pixels that `closed` (CV_8UC1, may be empty) marks. Pixels without a path get
+/// more than all heights.
 cv::Mat barrier_from_frame(const cv::Mat& heights, const cv::Mat& closed = {});
 
-/// CV_8UC1, 255 where the change is reached from the frame over slopes far lower than those that
-/// surround most of the change; half as low are enough for a shadow that leaves the platform's
-/// texture visible. `changed` (CV_32FC1) is the probability of change, `texture_loss` as by
-/// texture_loss(), `sigma` [grey levels] the noise of a channel's difference.
+/// CV_8UC1, 255 where the change is reached from the image's border over slopes far lower than
+/// those that surround most of the change; for a shadow that leaves the platform's texture visible,
+/// slopes of half their height suffice. `changed` (CV_32FC1) is the probability of change,
+/// `texture_loss` as by texture_loss(), `sigma` [grey levels] is the noise of a channel's
+/// difference.
 cv::Mat gradual_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                       const cv::Mat& texture_loss, float sigma);
 

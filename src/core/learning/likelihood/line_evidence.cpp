@@ -10,9 +10,9 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr int kDirections = 8;
-constexpr int kReach = 6;  // [px] of a line to either side of its middle
+constexpr int kReach = 6;  // [px] reach of a line to either side of its middle
 constexpr int kLength = 2 * kReach + 1;
-constexpr int kBeside = 5;  // [px] so far beside a line there is something else
+constexpr int kBeside = 5;  // [px] distance beside a line at which its sides are checked
 constexpr float kMost = 3;  // largest log-odds of a pixel
 constexpr int kFrame = kReach + kBeside;
 constexpr int kAtOnce = cv::v_float32x4::nlanes;
@@ -24,7 +24,8 @@ cv::Point rounded(double length, double angle) {
 
 using Lines = std::array<const float*, kLength>;
 
-// At least kAtOnce means; the last ones overlap with those before them.
+// Means of the pixels `begin` .. `end`, at least kAtOnce; the last group overlaps the one before
+// it.
 void average(const Lines& lines, int begin, int end, float* means) {
   for (int x = begin; x < end; x += kAtOnce) {
     const int first = std::min(x, end - kAtOnce);
@@ -34,7 +35,7 @@ void average(const Lines& lines, int begin, int end, float* means) {
   }
 }
 
-// Means along lines of one direction; as far from the frame as lines reach.
+// Means along lines of one direction, for the pixels whose line lies inside `framed`.
 void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
   std::array<cv::Point, kLength> steps;
   for (int i = 0; i < kLength; ++i) steps[i] = rounded(i - kReach, angle);
@@ -45,7 +46,8 @@ void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
   }
 }
 
-// Raises the evidence to the means of lines that differ from both of their sides.
+// Raises the evidence to the means of lines, where both sides of a line are platform (parts) or
+// object (gaps).
 void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
   const cv::Point across = rounded(kBeside, angle + CV_PI / 2);
   const cv::v_float32x4 none = cv::v_setzero_f32();
@@ -72,7 +74,7 @@ void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
 
 LineEvidence line_evidence(const cv::Mat& preference) {
   cv::Mat framed;
-  // Narrower images are worked on as kAtOnce wide: the frame has room.
+  // Narrower images are processed as kAtOnce wide, for which the frame has room.
   const cv::Size worked(std::max(preference.cols, kAtOnce), preference.rows);
   LineEvidence best{cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost)),
                     cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost))};

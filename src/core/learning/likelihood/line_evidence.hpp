@@ -6,10 +6,10 @@
 
 namespace mbncc::likelihood {
 
-/// Of every pixel, CV_32FC1; -3 where there is none.
+/// Evidence per pixel, CV_32FC1; -3 where there is none.
 struct LineEvidence {
   cv::Mat parts;  ///< mean preference along the best line with platform on both sides
-  cv::Mat gaps;   ///< likewise against the object, along lines with object on both sides
+  cv::Mat gaps;  ///< mean preference for the platform along the best line with object on both sides
 };
 
 /// `preference` is CV_32FC1, log-odds of the object. Lines are 13 px long, and no pixel counts more

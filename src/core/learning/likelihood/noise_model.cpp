@@ -13,12 +13,12 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr float kLeastSigma = 0.6F;      // [grey levels] rounding to 8 bits in two images
-constexpr float kUnknownSigma = 4;       // [grey levels] where the ring is too small to tell
-constexpr float kFlatGradient = 64;      // squared [grey levels / px]: below, no edge disturbs
+constexpr float kUnknownSigma = 4;       // [grey levels] used if the ring is too small
+constexpr float kFlatGradient = 64;      // [(grey levels / px)^2] below this, no edge disturbs
 constexpr float kClipped = 252;          // [grey levels]
-constexpr float kPooledQuantile = 4.9F;  // 90 % of a pooled chi^2 of three degrees lie below
+constexpr float kPooledQuantile = 4.9F;  // 90 % quantile of a pooled chi^2 of three channels
 
-// Differences on trusted pixels: by brightness where it is flat, by gradient elsewhere.
+// Differences on trusted pixels: by brightness where the image is flat, by gradient elsewhere.
 struct Differences {
   std::array<std::vector<float>, 3> flat;
   std::array<std::array<std::vector<float>, NoiseModel::kBins>, 3> flat_by_brightness;
@@ -100,7 +100,7 @@ NoiseModel::Channel channel_variance(std::vector<float>& all,
 // Slope of the squared difference over the squared gradient, from robust means of gradient classes.
 float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
   constexpr std::array<float, 5> kClassEnds{100, 225, 400, 900, 2500};
-  constexpr float kQuantileOfChi2 = 0.708F;  // 60 % of a chi^2 of one degree lie below
+  constexpr float kQuantileOfChi2 = 0.708F;  // 60 % quantile of chi^2 of one channel
   std::array<std::vector<float>, kClassEnds.size() + 1> classes;
   std::array<double, kClassEnds.size() + 1> gradients{};
   for (const auto& sample : sloped) {
@@ -122,7 +122,7 @@ float gradient_part(const std::vector<cv::Vec2f>& sloped, float sigma) {
   return static_cast<float>(std::clamp(numerator / denominator, 0.0016, 0.09));
 }
 
-// Differences in units of their deviations.
+// Differences in units of their standard deviations.
 cv::Vec3f deviations_at(const alignment::AlignedPair& pair, const NoiseModel& noise, int y, int x) {
   cv::Vec3f result = pair.before.at<cv::Vec3f>(y, x) - pair.after.at<cv::Vec3f>(y, x);
   const cv::Vec3f variance = noise.variance_at(pair.after, y, x);

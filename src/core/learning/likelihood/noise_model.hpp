@@ -15,7 +15,7 @@ namespace mbncc::likelihood {
 /// demosaicing correlate the channels' errors, so a change of colour is more significant than one
 /// of brightness.
 struct NoiseModel {
-  static constexpr int kBins = 16;  ///< of brightness, 16 grey levels each
+  static constexpr int kBins = 16;  ///< bins of brightness, 16 grey levels each
   using Channel = std::array<float, kBins>;
 
   std::array<Channel, 3> variance{};             ///< [grey levels^2]
@@ -26,7 +26,7 @@ struct NoiseModel {
   /// Variance per channel where `after` (CV_32FC3) is the unchanged surface.
   cv::Vec3f variance_at(const cv::Mat& after, int y, int x) const;
 
-  /// Likewise for all pixels, CV_32FC3.
+  /// Variance per channel for all pixels, CV_32FC3.
   cv::Mat variance_image(const cv::Mat& after) const;
 
   /// Standard deviation of a channel, averaged over brightness. [grey levels]

@@ -8,8 +8,10 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr float kFarNeighbour = 6;  // a neighbour's distance counts no more than this
-constexpr float kFarFactor = 2;     // and so much of the pixel's own
+// A neighbour's distance counts at most kFarNeighbour plus kFarFactor times the pixel's own
+// distance.
+constexpr float kFarNeighbour = 6;
+constexpr float kFarFactor = 2;
 
 }  // namespace
 

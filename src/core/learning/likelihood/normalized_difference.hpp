@@ -10,11 +10,12 @@ namespace mbncc::likelihood {
 cv::Mat normalized_difference(const cv::Mat& before, const cv::Mat& predicted,
                               const cv::Mat& variance, const cv::Matx33f& correlation);
 
-/// Part of the 3 x 3 mean in pool().
+/// Weight of the 3 x 3 mean in pool().
 constexpr float kPooledPart = 0.7F;
 
-/// Mixes such distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours with
-/// much larger distances have little weight, so that a change does not spread beyond its border.
+/// Mixes squared distances with their 3 x 3 mean, which evens out single noisy pixels. Neighbours
+/// with much larger distances have little weight, so that a change does not spread beyond its
+/// border.
 void pool(cv::Mat& values);
 
 }  // namespace mbncc::likelihood

@@ -11,14 +11,14 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr float kAnyColour = 0.05F;  // part of the object's pixels in colours not seen yet
-constexpr float kWeight = 1.15F;     // against the smoothness
-constexpr double kSureness = 4;  // power of the change's probability that colours are weighted by
-constexpr double kRimWeight = 0.3;  // of the outermost pixels' colours
-constexpr float kRimDoubt = 3;      // taken from the pixels on both sides of the last outline
-constexpr float kLineWeight = 3;    // weight of the evidence for a thin part
-constexpr float kLineLeast = 0.3F;  // least mean along a line for it
-constexpr float kGapWeight = 2;     // weight of the evidence for a narrow gap
-constexpr float kGapLeast = 1;      // least mean against the object for it
+constexpr float kWeight = 1.15F;     // weight of the unary term relative to the smoothness term
+constexpr double kSureness = 4;      // exponent of the probability of change in colour weights
+constexpr double kRimWeight = 0.3;   // weight of the outermost pixels' colours
+constexpr float kRimDoubt = 3;       // log-odds subtracted on both sides of the last outline
+constexpr float kLineWeight = 3;     // weight of the evidence for a thin part
+constexpr float kLineLeast = 0.3F;   // least mean along a line for a thin part
+constexpr float kGapWeight = 2;      // weight of the evidence for a narrow gap
+constexpr float kGapLeast = 1;       // least mean against the object for a narrow gap
 
 // The pixels on both sides of an outline.
 cv::Mat rim_of(const cv::Mat& map) {

@@ -18,8 +18,8 @@ cv::Mat relative_density(const change::ColourMixture& mixture, const cv::Mat& im
 cv::Mat colour_weights(const cv::Mat& changed, const cv::Mat& map);
 
 /// Log-odds of the object in `before` (CV_32FC3), CV_32FC1 of at most +-kHighestPreference.
-/// `background` is BackgroundLikelihood's log_ratio, `last_map` the cut before (CV_8UC1), empty
-/// when there was none.
+/// `background` is BackgroundLikelihood's log_ratio, `last_map` is the previous cut (CV_8UC1),
+/// empty if there was none.
 cv::Mat object_preference(const cv::Mat& before, const change::ColourMixture& object,
                           const cv::Mat& background, const cv::Mat& last_map);
 

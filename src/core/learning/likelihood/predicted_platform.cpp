@@ -11,14 +11,14 @@
 namespace mbncc::likelihood {
 namespace {
 
-constexpr int kLeastRing = 12;          // [px] width of the ring
-constexpr double kRingPart = 0.3;       // likewise, of the region's longer side
-constexpr int kTerms = 6;               // of a surface of the second degree
-constexpr int kRounds = 6;              // of reweighting
-constexpr double kSamples = 4000;       // that are enough
-constexpr float kLeastSpread = 1.5F;    // [grey levels]
-constexpr float kTukey = 4;             // [deviations]
-constexpr double kExplainedPart = 0.5;  // of the ring
+constexpr int kLeastRing = 12;          // [px] least width of the ring
+constexpr double kRingPart = 0.3;       // width of the ring, as a part of the region's longer side
+constexpr int kTerms = 6;               // coefficients of a second-degree surface
+constexpr int kRounds = 6;              // rounds of reweighting
+constexpr double kSamples = 4000;       // number of samples that is enough
+constexpr float kLeastSpread = 1.5F;    // [grey levels] least spread
+constexpr float kTukey = 4;             // [standard deviations] cut-off of Tukey's weights
+constexpr double kExplainedPart = 0.5;  // least part of the ring that the surface must explain
 
 using Terms = cv::Vec<double, kTerms>;
 using Surface = std::array<Terms, 3>;
@@ -48,7 +48,7 @@ std::vector<Sample> samples_of(const cv::Mat& image, const cv::Mat& ring) {
   return samples;
 }
 
-// Largest difference of a channel.
+// Largest difference over the channels.
 float misfit(const cv::Vec3f& a, const cv::Vec3f& b) {
   const cv::Vec3f d = a - b;
   return std::max({std::abs(d[0]), std::abs(d[1]), std::abs(d[2])});

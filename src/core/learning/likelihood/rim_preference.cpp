@@ -8,20 +8,22 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr int kReach = 2;              // [px] half the width of the rim
-constexpr int kWindow = 15;            // [px] colours close by are those of this square
-constexpr float kFewest = 6;           // pixels of a side in the square
-constexpr float kLeastVariance = 100;  // [grey levels^2]
-constexpr float kLeastContrast = 25;   // squared, between both sides' colours [variances]
-constexpr float kMixedPart = 0.1F;     // squared distance from the colours between both [contrast]
-constexpr float kMixedNoise = 4;       // likewise [variances]
-constexpr float kDarkestLight = 0.3F, kBrightestLight = 2;  // factors on the platform
-constexpr float kHighest = 8;                               // log-odds
+constexpr int kWindow = 15;            // [px] local colours are averaged over this square
+constexpr float kFewest = 6;           // least pixels of either side in the square
+constexpr float kLeastVariance = 100;  // [grey levels^2] added to the variance of the colours
+constexpr float kLeastContrast = 25;   // [variances] least squared distance of both sides' colours
+// Largest squared distance of a mixed colour from the line between both sides' colours: parts of
+// the squared contrast plus variances.
+constexpr float kMixedPart = 0.1F;
+constexpr float kMixedNoise = 4;
+constexpr float kDarkestLight = 0.3F, kBrightestLight = 2;  // limits of the local light
+constexpr float kHighest = 8;                               // largest log-odds
 
 cv::Mat disc(int radius) {
   return cv::getStructuringElement(cv::MORPH_ELLIPSE, {2 * radius + 1, 2 * radius + 1});
 }
 
-// Sums over the window: of the pixels, their colours and squared norms.
+// Sums over the window of the mask's pixels, their colours, and the squared norms of the colours.
 struct Side {
   cv::Mat count, colour, square;
 
@@ -46,7 +48,7 @@ struct Side {
   cv::Vec3f mean(int y, int x) const {
     return colour.at<cv::Vec3f>(y, x) / std::max(1.F, count.at<float>(y, x));
   }
-  // Of a channel.
+  // Variance of a channel, averaged over the channels.
   float variance(int y, int x) const {
     const cv::Vec3f about = mean(y, x);
     return std::max(0.F, square.at<float>(y, x) / count.at<float>(y, x) - about.dot(about)) / 3;

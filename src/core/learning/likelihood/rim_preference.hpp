@@ -15,7 +15,7 @@ struct RimPreference {
 
 /// For the pixels within two pixels of the outline of `map` (CV_8UC1). A pixel there may be a
 /// mixture of both sides; it is assigned to the more similar one. `platform` is the image without
-/// the object, both CV_32FC3; `sigma` [grey levels] the noise of their difference. If the sides
+/// the object, both CV_32FC3; `sigma` [grey levels] is the noise of their difference. If the sides
 /// look alike, or the pixel resembles neither, log_odds is not valid.
 RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, const cv::Mat& map,
                              float sigma);

@@ -7,11 +7,11 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr int kFine = 7;            // [px] texture is the deviation from the mean over this square
-constexpr int kWindow = 7;          // [px] and is compared in this one
-constexpr float kSamples = 14;      // that are as good as independent in such a window
+constexpr int kWindow = 7;          // [px] texture is compared in this window
+constexpr float kSamples = 14;      // effectively independent samples in such a window
 constexpr float kTolerance = .02F;  // part of the texture's power that a shadow may change
 
-// Sums over the channels, averaged over the window.
+// Powers of the texture, summed over the channels and averaged over the window.
 struct TexturePower {
   cv::Mat before, after, common, noise;  // CV_32FC1
 };
