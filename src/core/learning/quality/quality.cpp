@@ -11,7 +11,7 @@
 namespace mbncc {
 namespace {
 
-// Avoids a second measurement in the search.
+// Sets the measured symmetry, so that the search does not measure it again.
 ObjectModel with_known_symmetry(ObjectModel object, int symmetry) {
   if (is_declarable_symmetry(symmetry)) object.symmetry = symmetry;
   return object;

@@ -12,7 +12,7 @@
 namespace mbncc::quality {
 namespace {
 
-constexpr int kEnoughPoints = 300;  // the profile needs no more
+constexpr int kEnoughPoints = 300;  // template points that suffice for the profile
 
 int level_for(double area) {
   int level = 0;
@@ -20,7 +20,7 @@ int level_for(double area) {
   return level;
 }
 
-// Of the map's box, which starts where the whole image's squares at that level do.
+// Template points of the map's box, which starts on the whole image's pixel grid of that level.
 MaskedTemplate points_of(const cv::Mat& grey, const cv::Mat& map, const cv::Point2d& anchor,
                          int level) {
   const cv::Rect tight = cv::boundingRect(map);
@@ -55,7 +55,8 @@ RotationProfile::RotationProfile(const View& view, const cv::Mat& image) {
 double RotationProfile::fall_to(double level) const {
   const double step_size = 2 * kPi / kSteps;
   for (int step = 1; step <= kSteps / 2; ++step) {
-    // The weaker side decides, because a rotation in either direction must be detected.
+    // The direction with the slower fall decides, because a rotation in either direction must be
+    // detected.
     const double before =
         std::max(similarity_[step - 1], similarity_[(kSteps - step + 1) % kSteps]);
     const double here = std::max(similarity_[step], similarity_[kSteps - step]);

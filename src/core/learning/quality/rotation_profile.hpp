@@ -18,7 +18,7 @@ class RotationProfile {
   double fall_to(double level) const;
 
  private:
-  static constexpr int kSteps = 180;  ///< of 2 degrees
+  static constexpr int kSteps = 180;  ///< steps of 2 degrees
 
   std::vector<double> similarity_;  ///< [-1..1] per step
 };

@@ -10,7 +10,7 @@
 namespace mbncc::quality {
 namespace {
 
-constexpr double kSamePlace = 0.25;    // of the excircle's radius: nearer is the object itself
+constexpr double kSamePlace = 0.25;  // part of the excircle's radius; nearer matches are the object
 constexpr double kLeastSamePlace = 4;  // [px]
 constexpr double kEnoughRadius = 32;   // [px] larger objects are searched at half the size
 
@@ -22,17 +22,17 @@ SearchRequest anything() {
   return request;
 }
 
-// The verdict must not depend on other objects, nor on a time budget.
+// The verdict must not depend on a time budget.
 SearchConfig unhurried(SearchConfig search) {
   search.time_budget = 0;
   return search;
 }
 
-// The one view of an object and the image it was learned from, as large as needed.
+// An object's only view and its learning image, reduced to the size that is needed.
 struct Reduced {
   cv::Mat image;
   View view;
-  double scale = 1;  // of the learned view
+  double scale = 1;  // relative to the learned view
 };
 
 Reduced reduced(const View& view, const cv::Mat& image) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches the new object in its learning image: whether it is found, and only there.
+// Searches the learning image for the new object: it must be found at its place, and nowhere else.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -9,7 +9,7 @@
 
 namespace mbncc::quality {
 
-/// Fills in self_score, self_error, runner_up and search_time. `object` has one view at least.
+/// Fills in self_score, self_error, runner_up and search_time. `object` has at least one view.
 void search_itself(const ObjectModel& object, const cv::Mat& image, const SearchConfig& search,
                    Quality& quality);
 

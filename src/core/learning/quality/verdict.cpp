@@ -11,10 +11,11 @@
 namespace mbncc::quality {
 namespace {
 
-constexpr double kAlike = 0.7;      // of its own score, above which something else looks the same
-constexpr double kPlain = 6;        // [grey levels] deviation under the map of a plain surface
+// Part of the object's own score above which something else looks the same.
+constexpr double kAlike = 0.7;
+constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
-constexpr double kNever = std::numeric_limits<double>::infinity();  // as a limit
+constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
 
 // Reasons against a lesson.
 struct Reason {
@@ -67,7 +68,8 @@ class Charges {
  public:
   explicit Charges(Quality& quality) : quality_(quality) {}
 
-  // Adds the reason when `value` is beyond a limit: at `bad` it refuses, at `marginal` it warns.
+  // Adds the reason if `value` is beyond a limit: beyond `bad` it refuses, beyond `marginal` it
+  // warns.
   void above(const char* key, double value, double marginal, double bad) {
     if (value > bad)
       add(key, Verdict::kBad);
@@ -101,8 +103,9 @@ constexpr double kGoodRisk = 0.2;
 constexpr double kBadRisk = 0.5;
 
 // Risk that the map's IoU with the object's silhouette is below .8: logistic regressions, one for
-// lessons by change and one for one image, on drawn lessons, drawn lessons with the faults of
-// real cameras, and lessons from photographs (docs/decisions/0011-verdict.md).
+// lessons by change and one for one image, fitted to synthetic (drawn) lessons, to synthetic
+// lessons with the faults of real cameras, and to lessons from photographs
+// (docs/decisions/0011-verdict.md).
 struct OutlineRisk {
   double usual, instability, weakness, change, span;  // log-odds
 
@@ -141,7 +144,8 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& char
                                : OutlineRisk::of_one_image(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
   charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
-  // Where a shadow ends is not known if it crosses the region's edge; an object lies inside.
+  // If the map crosses the region's edge, it is unknown where a shadow would end; an object lies
+  // inside the region.
   const bool crosses = evidence.region_touch > kCrossing;
   charges.above("shadow_like", evidence.shadow_like ? (crosses ? 2 : 1) : 0, 0.5, 1.5);
   charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);

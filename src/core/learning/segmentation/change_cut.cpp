@@ -27,17 +27,17 @@
 namespace mbncc {
 namespace {
 
-constexpr float kViewLogOdds = 8;    // highest unary of one of two views
-constexpr float kForced = 1000;      // unary of painted pixels
-constexpr float kArrivalUnary = 12;  // log-likelihood ratio given to arrivals
-constexpr float kSurelyObject = 5;   // unary
+constexpr float kViewLogOdds = 8;    // largest log-odds of one view in a cut of two views
+constexpr float kForced = 1000;      // unary term of pixels under strokes
+constexpr float kArrivalUnary = 12;  // log-likelihood ratio of the platform for arrivals
+constexpr float kSurelyObject = 5;   // unary term from which a pixel is surely object
 constexpr int kFewestPixels = 30;    // least pixels of a seed
-constexpr double kLeastOwn = 0.5;    // part of a map that a shadow leaves to the object, at least
-constexpr float kCovered = 2;   // log-likelihood ratio of pixels that an intruder covers afterwards
-constexpr int kCheckedBox = 7;  // [px] square about a painted pixel
-constexpr int kSpeck = 8;       // [px] smaller changed patches are noise
-// Light that a shadow leaves at least [0..1]. A grey object looks like platform in another light;
-// but an object was taken away, so what shadows explain is bounded until something is left.
+constexpr double kLeastOwn = 0.5;    // least part of a map that remains without its shadow
+constexpr float kCovered = 2;        // added for pixels that an intruder covers afterwards
+constexpr int kCheckedBox = 7;       // [px] side of the square around a stroke's pixel
+constexpr int kSpeck = 8;            // [px] smaller changed patches are noise
+// Least light [0..1] that a shadow leaves. A grey object looks like shadowed platform; but an
+// object was taken away, so while shadows explain the whole change, the next higher limit is tried.
 constexpr std::array<float, 4> kDarkestShadows{likelihood::kDarkestShadow, 0.5F, 0.7F, 0.9F};
 
 // Data of one cut. All images have the crop's size and own their memory, because the pair's
@@ -62,9 +62,9 @@ class Cutter {
     coloured_shadow_ = likelihood::coloured_shadow(before_, after_, noise_.sigma(1));
   }
 
-  // The changed pixels that the foreground's colours are first learned from.
-  // `surveyed` is the survey's change, of the whole image; empty without an image after, because
-  // nothing can have moved or arrived.
+  // Finds the changed pixels from which the object's colours are first learned; false if there are
+  // too few. `surveyed` is ChangeSurvey::changed of the whole image; it is empty without an image
+  // after, because nothing can have moved or arrived.
   bool seed(const cv::Mat& surveyed) {
     map_ = (background_.changed > 0.5) & inside_;
     segmentation::remove_specks(map_, kSpeck);
@@ -85,7 +85,7 @@ class Cutter {
     cut_by_unary(smoothness_);
   }
 
-  // Of `smoothness`, half_ is the one at half resolution.
+  // half_ must be `smoothness` at half resolution.
   void cut_by_unary(const segmentation::Smoothness& smoothness) {
     coarse_ = segmentation::coarse_cut(unary_, half_);
     cv::Mat next = coarse_.clone();
@@ -95,7 +95,8 @@ class Cutter {
     map_ = next;
   }
 
-  // Blur, demosaicing and compression spread the change over the outline.
+  // Cuts again with local colours along the rim, because blur, demosaicing and compression spread
+  // the change beyond the outline.
   void cut_rim() {
     const likelihood::RimPreference rim =
         likelihood::rim_preference(before_, after_, map_, noise_.sigma(1));
@@ -117,7 +118,7 @@ class Cutter {
     next.include_ = include(crop_);
     next.exclude_ = exclude(crop_);
     next.inside_ = cv::Mat(inside_ | next.include_);
-    // A part that a stroke separates stays part of the object.
+    // A part that a stroke separates from the rest still belongs to the object.
     next.kept_ = next.include_ | (map_ & ~next.exclude_);
     next.unary_ = cv::Mat(
         unary_ - segmentation::exclusion_votes({before_, after_, unary_, map_}, next.exclude_));
@@ -163,7 +164,7 @@ class Cutter {
   }
 
  private:
-  // Arrivals lie in the image after: in the one before, they are platform.
+  // Arrivals exist only in the image after: their place in the image before is platform.
   void exclude(cv::Mat arrivals) {
     if (cv::countNonZero(arrivals) == 0) return;
     map_.setTo(0, arrivals);
@@ -181,8 +182,8 @@ class Cutter {
     exclude(change::find_arrivals(before_, after_, map_, platform_));
   }
 
-  // The object lies inside the region; this and the next are searched only where the change extends
-  // beyond it.
+  // Called, like exclude_intruders(), only if the change extends beyond the region, because the
+  // object lies inside it.
   void exclude_moved_neighbours() {
     const cv::Mat changed = background_.changed > 0.5;
     const cv::Mat moved = change::moved_neighbours(before_, after_, changed, noise_.sigma(1));
@@ -191,7 +192,7 @@ class Cutter {
     background_.log_ratio.setTo(kArrivalUnary, moved);
   }
 
-  // Pixels covered by an intruder afterwards can be classified only by colour.
+  // Pixels that an intruder covers afterwards can be classified only by their colour before.
   void exclude_intruders(const cv::Mat& from_afar) {
     const cv::Mat changed = background_.changed > 0.5;
     intruders_ = segmentation::find_intruders(before_, after_, changed,
@@ -229,7 +230,8 @@ class Cutter {
     return cv::countNonZero(own) < kLeastOwn * cv::countNonZero(map_) ? map_ : own;
   }
 
-  // For the object, by the colours that the map shows now, outside the region as well.
+  // Log-odds of the object, whose colours are learned from the current map; outside the region as
+  // well.
   cv::Mat preference() const {
     const change::ColourMixture object = change::ColourMixture::fit(
         before_, own_colours(), likelihood::colour_weights(background_.changed, map_));

@@ -9,9 +9,9 @@
 namespace mbncc::segmentation {
 namespace {
 
-constexpr double kKeptWeight = 0.18;   // of the heaviest group
-constexpr int kSmallestHole = 12;      // [px] always filled
-constexpr double kFilledPart = 0.002;  // of the map
+constexpr double kKeptWeight = 0.18;   // least weight of a kept group, relative to the heaviest
+constexpr int kSmallestHole = 12;      // [px] holes up to this area are always filled
+constexpr double kFilledPart = 0.002;  // largest filled hole, as a part of the map
 
 cv::Mat group_labels(const cv::Mat& map, int gap, int& count) {
   const cv::Mat disc =

@@ -11,10 +11,11 @@
 namespace mbncc::segmentation {
 namespace {
 
-constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are tilted
+constexpr float kBalanceShift = 2;  // log-odds per pixel by which the re-cuts are shifted
 constexpr float kSurelyChanged = 0.7F;
-constexpr int kAdjoining = 5;  // [px] square about a pixel of the outline
-constexpr int kBeside = 7;  // [px] square about a pixel of the map: its rim is no change beside it
+constexpr int kAdjoining = 5;  // [px] square around a pixel beyond the region
+// [px] Square around a map pixel; change inside it is the map's rim.
+constexpr int kBeside = 7;
 
 double part(const cv::Mat& of, const cv::Mat& among) {
   const int all = cv::countNonZero(among);
@@ -48,7 +49,8 @@ double change_beside(const FinishedCut& cut) {
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
-// The object may continue beyond the region where pixels look like it, and below an intruder.
+// Part of the outline where the object may continue: pixels beyond the region look like it, or an
+// intruder covers it.
 double cut_off(const FinishedCut& cut) {
   cv::Mat beyond = cut.object_like & ~cut.inside;
   if (!cut.intruders.empty()) beyond |= cut.intruders;
@@ -56,7 +58,7 @@ double cut_off(const FinishedCut& cut) {
   return part(beyond, outline_pixels(cut.map));
 }
 
-// Painted pixels count as certain.
+// IoU of the map with another cut, in which pixels under strokes agree.
 double agreement(const FinishedCut& cut, const cv::Mat& other) {
   cv::Mat same = cut.map & other, either = cut.map | other;
   if (!cut.confirmed.empty()) same |= either & cut.confirmed;

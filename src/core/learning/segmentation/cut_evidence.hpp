@@ -14,22 +14,22 @@ struct FinishedCut {
   cv::Mat map;          ///< CV_8UC1
   cv::Mat coarse;       ///< CV_8UC1, the cut of `unary` at half resolution
   cv::Mat inside;       ///< CV_8UC1, 255 in the region
-  cv::Mat unary;        ///< CV_32FC1, what the last cut minimised
+  cv::Mat unary;        ///< CV_32FC1, unary term of the last cut
   cv::Mat changed;      ///< CV_32FC1, as in BackgroundLikelihood
-  cv::Mat object_like;  ///< CV_8UC1, surely object as by `unary`, but outside the region as well
-  cv::Mat kept;         ///< CV_8UC1 or empty: groups of pixels that lie there are the object's
+  cv::Mat object_like;  ///< CV_8UC1, surely object by the unary term; outside the region as well
+  cv::Mat kept;         ///< CV_8UC1 or empty: groups with a pixel there belong to the object
   cv::Mat intruders;    ///< CV_8UC1 or empty: covered afterwards by something from outside
-  cv::Mat confirmed;    ///< CV_8UC1 or empty: the operator has painted there
+  cv::Mat confirmed;    ///< CV_8UC1 or empty: near the operator's strokes
 };
 
 /// Part [0..1] of the map's outline within two pixels of the region's edge, or beyond.
 double region_touch(const cv::Mat& map, const cv::Mat& inside);
 
-/// Width or height of the map's box as part [0..1] of the region's box, whichever is less.
+/// Width or height of the map's box as a part [0..1] of the region's box, whichever part is less.
 double region_span(const cv::Mat& map, const cv::Mat& inside);
 
-/// [0..1] How well the outline lies on image edges and how little it depends on the balance of both
-/// sides.
+/// How well the outline lies on image edges, or how little it depends on shifted log-odds,
+/// whichever is less [0..1].
 double edge_clarity(const CutEvidence& evidence);
 
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,

@@ -11,14 +11,14 @@ namespace mbncc::segmentation {
 namespace {
 
 constexpr int kBox = 3;               // [px] colours are averaged over this square
-constexpr int kMostSamples = 200;     // of a stroke or of the object
-constexpr int kRestSamples = 300;     // of the rest
-constexpr float kTolerance = 2;       // [grey levels] added to distances: as near as noise allows
-constexpr float kSquaredWidth = 8;    // [grey levels^2] of a sample's density
-constexpr float kStrokeShare = 0.2F;  // weight of a stroke's samples against the rest's, at least
-constexpr float kWeight = 3;          // of the densities' log-ratios, against the cut's unary
-constexpr float kInside = 4;          // log-odds: only the outermost pixels are wrong as often
-constexpr float kLoudest = 10;        // log-odds of a vote
+constexpr int kMostSamples = 200;     // samples of a stroke or of the object
+constexpr int kRestSamples = 300;     // samples of the rest of the map
+constexpr float kTolerance = 2;       // [grey levels] added to distances, which noise limits
+constexpr float kSquaredWidth = 8;    // [grey levels^2] of a sample's kernel
+constexpr float kStrokeShare = 0.2F;  // least weight of the whole stroke, per sample of the rest
+constexpr float kWeight = 3;          // weight of the densities' log-ratio in the unary term
+constexpr float kInside = 4;          // log-odds; pixels inside the map are wrong less often
+constexpr float kLoudest = 10;        // largest log-odds of a vote
 
 // Log-odds that another pixel belongs to the structure that a stroke excludes, by logistic
 // regression.
@@ -26,7 +26,7 @@ constexpr float kByAppearance = 0.65F;  // per e-fold of distance, of colours an
 constexpr float kByFewSamples = 0.7F;   // per e-fold: the fewer samples, the farther the nearest
 constexpr float kByUnary = -0.17F;
 constexpr float kHighestUnary = 15;
-constexpr float kSurest = 10;  // log-odds, so that no pixel is impossible
+constexpr float kSurest = 10;  // largest log-odds, so that no pixel is impossible
 constexpr float kOutermostBias = -1.1F, kInsideBias = -3.5F;
 
 // Colours of a pixel and their change against the image after.
@@ -56,7 +56,7 @@ class Looks {
   cv::Mat colours_, change_;  // CV_32FC3
 };
 
-// Evenly drawn pixels of `mask`: `most`, or up to twice as many.
+// Evenly sampled pixels of `mask`: `most` to twice as many, or all if there are fewer.
 std::vector<cv::Point> some_of(const cv::Mat& mask, int most) {
   const int step = std::max(1, cv::countNonZero(mask) / most);
   std::vector<cv::Point> pixels;
@@ -86,7 +86,7 @@ cv::Mat inside_of(const cv::Mat& map) {
   return inside;
 }
 
-// Logarithm of the distance to the nearest of some.
+// Logarithm of the distance to the nearest of `samples`.
 float log_distance(const Appearance& appearance, const std::vector<Appearance>& samples,
                    Part part) {
   float least = std::numeric_limits<float>::max();
@@ -97,7 +97,7 @@ float log_distance(const Appearance& appearance, const std::vector<Appearance>& 
   return std::log(std::sqrt(least) + kTolerance);
 }
 
-// How much nearer an appearance is to the one than to the other.
+// How much nearer an appearance is to the samples `one` than to `other`, in e-folds of distance.
 float nearness(const Appearance& appearance, const std::vector<Appearance>& one,
                const std::vector<Appearance>& other) {
   float sum = 0;
@@ -106,7 +106,8 @@ float nearness(const Appearance& appearance, const std::vector<Appearance>& one,
   return sum;
 }
 
-// An appearance with its weights for the stroke and for the object.
+// Training sample: an appearance with its weights for the excluded structure (`meant`) and for the
+// object.
 struct Teacher {
   Appearance appearance;
   float meant = 0, object = 0;

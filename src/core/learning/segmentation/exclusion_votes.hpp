@@ -15,9 +15,9 @@ struct CutImages {
 };
 
 /// Log-odds (CV_32FC1), within +-10, that a pixel of the map belongs to the same structure as the
-/// `excluded` ones (CV_8UC1 of the crop's size): positive where it resembles them and similar
-/// pixels more than the rest of the map, in colour and in change; less inside the map than along
-/// its outline. 0 on other pixels.
+/// `excluded` ones (CV_8UC1 of the crop's size): positive if its colour and change resemble those
+/// pixels more than the rest of the map; lower inside the map than along its outline. 0 on other
+/// pixels.
 cv::Mat exclusion_votes(const CutImages& cut, const cv::Mat& excluded);
 
 }  // namespace mbncc::segmentation

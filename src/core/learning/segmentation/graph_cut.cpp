@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kBand = 4;         // [px] on either side of a coarse outline
 constexpr int kAround = 7;       // [px] square around a pixel that disagrees with a coarse cut
-constexpr float kDisagrees = 2;  // unary from which on it does
+constexpr float kDisagrees = 2;  // unary term from which a pixel disagrees
 
 // Cuts only the open pixels of a map; the others keep their labels.
 class PartialCut {

@@ -12,16 +12,17 @@ namespace mbncc::segmentation {
 /// across its outline. `unary` is CV_32FC1, positive where a pixel prefers to be object.
 cv::Mat minimum_cut(const cv::Mat& unary, const Smoothness& smoothness);
 
-/// The same at half resolution, with `half` = half_resolution(smoothness).
+/// Minimum cut at half resolution, enlarged to the size of `unary`; `half` is
+/// half_resolution(smoothness).
 cv::Mat coarse_cut(const cv::Mat& unary, const Smoothness& half);
 
-/// coarse_cut(unary + tilt, half), starting from that of tilt 0, because the map only grows with
-/// the tilt.
+/// coarse_cut(unary + tilt, half), computed faster from `coarse`, the cut without tilt, because the
+/// map only grows with the tilt.
 cv::Mat tilted_coarse_cut(const cv::Mat& coarse, const cv::Mat& unary, float tilt,
                           const Smoothness& half);
 
-/// Cuts again near the outline of a coarse cut and where single pixels disagree with it: nearly
-/// always the minimum, in a fraction of the time.
+/// Refines `map`, a coarse cut, near its outline and where single pixels disagree with it. This
+/// nearly always finds the minimum, in a fraction of the time.
 void refine_cut(const cv::Mat& unary, const Smoothness& smoothness, cv::Mat& map);
 
 }  // namespace mbncc::segmentation

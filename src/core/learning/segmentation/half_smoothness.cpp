@@ -10,16 +10,16 @@ cv::Size half_size(const cv::Size& size) {
   return {(size.width + 1) / 2, (size.height + 1) / 2};
 }
 
-// The edge between blocks that contains an edge between pixels; none inside a block.
+// The edge between 2 x 2 blocks to which an edge between pixels belongs; none inside a block.
 struct BlockEdge {
   int direction = -1;  // index of Smoothness::weights
   int owner = 0;       // columns from the pixel's block to the one that owns the edge
 };
 
-// Of an edge in direction `k` of a pixel in an odd or even column and row. The block later in
-// row-major order owns it.
+// Block edge of the edge in direction `k` of a pixel in an odd or even column and row. The later
+// block in row-major order owns it.
 BlockEdge block_edge(std::size_t k, int odd_column, int odd_row) {
-  // Odd numbers are halved downwards, also negative ones.
+  // Halves and rounds down; the offsets make this correct for negative numbers.
   cv::Point step((odd_column + Smoothness::kDx[k] + 2) / 2 - 1,
                  (odd_row + Smoothness::kDy[k] + 2) / 2 - 1);
   BlockEdge edge;
@@ -33,7 +33,8 @@ BlockEdge block_edge(std::size_t k, int odd_column, int odd_row) {
   return edge;
 }
 
-// Adds those edges of direction `k` that start in a row's even columns, or its odd ones.
+// Adds the edges of one direction that start in a row's even columns (`odd` 0) or odd columns
+// (`odd` 1).
 void add_row(const float* weights, int width, int odd, const BlockEdge& edge, Smoothness& half,
              int half_y) {
   if (edge.direction < 0) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Energy of a cut whose outline keeps to blocks of 2 x 2 pixels.
+// Energy of a cut whose outline follows the borders of 2 x 2 pixel blocks.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -13,8 +13,8 @@
 namespace mbncc::segmentation {
 namespace {
 
-constexpr double kDepartureScore = 1.5;  // from which on something left rather than came
-constexpr int kFewestPixels = 20;        // of a patch of entry
+constexpr double kDepartureScore = 1.5;  // from this score on, something left rather than arrived
+constexpr int kFewestPixels = 20;        // least pixels of an entry patch
 constexpr float kAnyColour = 0.02F;      // part of an intruder's pixels in colours not seen outside
 constexpr float kColourVoice = 6;        // largest log-odds from the colour after
 constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity to the platform
@@ -44,7 +44,7 @@ cv::Mat without_departures(const cv::Mat& before, const cv::Mat& after, const cv
   return kept;
 }
 
-// The connected patches of `map` that hold a pixel of `seeds`.
+// The connected patches of `map` that contain a pixel of `seeds`.
 cv::Mat connected_to(const cv::Mat& seeds, const cv::Mat& map) {
   cv::Mat labels, kept = cv::Mat::zeros(map.size(), CV_8UC1);
   std::vector<bool> wanted(cv::connectedComponents(map, labels, 8, CV_32S), false);

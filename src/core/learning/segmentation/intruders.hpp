@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Detects what reaches into the region in the image after: the gripper, an arm.
+// Detects a gripper or an arm that reaches into the region in the image after.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -13,10 +13,10 @@ namespace mbncc::segmentation {
 /// outside.
 cv::Mat reaching_border(const cv::Mat& changed);
 
-/// What covers the platform or the vacated place in `after` and is connected to `entry`, changed
-/// pixels outside the region, CV_8UC1. Patches of it where something left give none. `before` and
-/// `after` are CV_32FC3, aligned, `changed` is CV_8UC1; `platform` is the colour mixture of the
-/// ring.
+/// CV_8UC1, 255 on what covers the platform or the vacated place in `after` and is connected to
+/// `entry` (CV_8UC1), the changed pixels outside the region. Patches of `entry` where something
+/// left are ignored. `before` and `after` are CV_32FC3, aligned, `changed` is CV_8UC1; `platform`
+/// is the colour mixture of the ring.
 cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Mat& changed,
                        const cv::Mat& entry, const change::ColourMixture& platform,
                        const likelihood::NoiseModel& noise);

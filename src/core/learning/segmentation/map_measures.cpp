@@ -9,8 +9,8 @@
 namespace mbncc::segmentation {
 namespace {
 
-constexpr int kReach = 12;        // [px] surroundings of the map that count
-constexpr double kEdgeSlope = 8;  // [grey levels / px] an image edge, well above camera noise
+constexpr int kReach = 12;        // [px] margin of the map's surroundings
+constexpr double kEdgeSlope = 8;  // [grey levels / px] of an image edge, well above camera noise
 constexpr double kMiddleGrey = 128;
 
 cv::Mat grey_of(const cv::Mat& image) {

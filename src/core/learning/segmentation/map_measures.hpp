@@ -9,14 +9,15 @@
 
 namespace mbncc::segmentation {
 
-/// [px] Part of the learning image that is enough for what follows. A map pixel that lies on this
-/// part's border lies on the image's.
+/// Part [px] of the learning image that the measures need. A map pixel on the border of this part
+/// is also on the image's border.
 cv::Rect surroundings(const View& view);
 
 /// Fills in area, fill, contrast and edge_agreement. `map` has the image's size.
 void measure_map(const cv::Mat& image, const cv::Mat& map, Quality& quality);
 
-/// Part [0..1] of the outline with an edge of `image` (CV_8UC3) within a pixel; 0 for no map.
+/// Part [0..1] of the outline with an edge of `image` (CV_8UC3) within a pixel; 0 if the map is
+/// empty.
 double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.

@@ -19,13 +19,13 @@ struct Contrasts {
   double mean = 0;
 };
 
-// Squared contrasts of `before` across edges of one row, minus those also present in `after`.
+// Squared contrasts of `before` across edges of one row, reduced where `after` shows the same edge.
 class RowContrast {
  public:
   RowContrast(int width, const cv::Vec3f& precision)
       : precision_(precision), other_(1, width, CV_32FC1), alike_(1, width, CV_32FC1) {}
 
-  // Of `count` edges between pixels and their neighbours, in both images.
+  // Measures `count` edges between pixels (index 0) and their neighbours (index 1) in both images.
   void measure(const std::array<const cv::Vec3f*, 2>& before,
                const std::array<const cv::Vec3f*, 2>& after, int count, float* squares) {
     cv::Mat alike_row = alike_.colRange(0, count);
@@ -44,7 +44,7 @@ class RowContrast {
 
  private:
   cv::Vec3f precision_;
-  cv::Mat other_, alike_;  // what `after` shows there, and how much it looks the same
+  cv::Mat other_, alike_;  // squared contrasts of `after`, and their similarity to `before`
 };
 
 Contrasts measure(const cv::Mat& before, const cv::Mat& after, const cv::Vec3f& precision) {

@@ -10,7 +10,7 @@
 namespace mbncc::segmentation {
 
 /// Weights of the edges to the left, upper left, upper and upper right neighbour, CV_32FC1, 0 where
-/// there is none. Low weights attract the outline.
+/// there is no neighbour. Low weights attract the outline.
 struct Smoothness {
   static constexpr std::array<int, 4> kDx{-1, -1, 0, 1};
   static constexpr std::array<int, 4> kDy{0, -1, -1, -1};
@@ -20,7 +20,7 @@ struct Smoothness {
 };
 
 /// The paper's contrast term, gamma exp(-beta |z_m - z_n|^2) / dist(m, n), on `before`, weakened
-/// where `after` shows the same edge: that one belongs to the platform. Both CV_32FC3, aligned.
+/// where `after` shows the same edge, which then belongs to the platform. Both CV_32FC3, aligned.
 Smoothness smoothness(const cv::Mat& before, const cv::Mat& after,
                       const likelihood::NoiseModel& noise);
 

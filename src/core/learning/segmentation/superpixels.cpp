@@ -13,7 +13,7 @@ namespace mbncc {
 namespace {
 
 // SEEDS: two block levels over pixels, smoothness prior 2, 5 bins per Lab channel, and four passes,
-// after which the cells hardly move any more.
+// after which the cells hardly change.
 constexpr int kLevels = 2;
 constexpr int kPrior = 2;
 constexpr int kHistogramBins = 5;
