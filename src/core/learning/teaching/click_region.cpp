@@ -12,12 +12,12 @@
 namespace mbncc::teaching {
 namespace {
 
-constexpr double kSquareStep = 0.8;   // sides of consecutive squares
+constexpr double kSquareStep = 0.8;   // ratio of the sides of consecutive squares
 constexpr int kSmallestSquare = 20;   // [px]
-constexpr double kLargestPart = 0.6;  // of the image's shorter side: the largest square
+constexpr double kLargestPart = 0.6;  // side of the largest square per shorter side of the image
 constexpr double kSameArea = 1.25;    // factor up to which the maps of two squares agree
-constexpr double kAgreement = 0.1;    // of one more square, relative to clarity
-constexpr double kEnoughSquares = 6;  // which agree on most right maps and few wrong ones
+constexpr double kAgreement = 0.1;    // weight of one more agreeing square, relative to clarity
+constexpr double kEnoughSquares = 6;  // squares that agree on most correct and few wrong maps
 constexpr int kGap = 9;               // [px] pieces nearer than this are joined
 constexpr double kMissed = 15;        // [px] largest distance of a click to its patch
 
@@ -28,7 +28,7 @@ struct Candidate {
   double clarity;
 };
 
-// Squares whose map is about as large, its own included.
+// Number of squares whose map is about as large as that of `one`, which is included.
 int agreeing(const Candidate& one, const std::vector<Candidate>& candidates) {
   return static_cast<int>(
       std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& other) {

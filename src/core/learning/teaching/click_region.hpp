@@ -9,14 +9,14 @@
 namespace mbncc::teaching {
 
 /// Squares [px] with their centre at `click`, the first `largest` wide, each .8 times as wide as
-/// the one before, down to 20 pixels; clipped to `room`, without those of which less than 10 pixels
-/// remain.
+/// the one before, down to 20 pixels; clipped to `room`. A square is left out if less than 10
+/// pixels of its width or height remain.
 std::vector<cv::Rect> squares_about(const cv::Point2d& click, double largest, const cv::Rect& room);
 
 struct ClickedRegion {
   cv::Rect square;       ///< [px] clipped to the image
   cv::Mat map;           ///< CV_8UC1 of the image's size, 255 on the object
-  double agreement = 0;  ///< [0..1] squares that gave a map of this size; 1: six or more
+  double agreement = 0;  ///< [0..1] squares that gave a map of this size, as a part of six
 };
 
 /// The object at `click` in one image (CV_8UC3): region_cut() in squares about it, and
@@ -25,11 +25,11 @@ struct ClickedRegion {
 std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point2d& click,
                                            int iterations);
 
-/// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else nearest to it; all 0 where
-/// none lies within 15 pixels.
+/// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else on the nearest one; all 0
+/// if none lies within 15 pixels.
 cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
 
-/// The same of `changed`, pieces less than 9 pixels apart taken as one.
+/// piece_at() of `changed` (CV_8UC1), with pieces less than 9 pixels apart joined.
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click);
 
 /// Throws LessonEnded(kSegmentationEmpty): nothing was cut out at the click.

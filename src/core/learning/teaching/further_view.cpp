@@ -12,13 +12,14 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastAgreement = 0.5;  // IoU of a found outline and the new map
-constexpr double kLeastScore = 0.05;     // of a view; the agreement with the map decides
+constexpr double kLeastAgreement = 0.5;  // least IoU of a found outline and the new map
+constexpr double kLeastScore = 0.05;  // least score of a match; the agreement with the map decides
 constexpr int kPlacesTried = 5;
 
-/// The object lies as in a stored view, in the same light, so the view adds nothing.
+/// Whether the object lies as in the other view and in the same light, so that the view adds
+/// nothing.
 bool shows_the_same(const View& one, const View& other) {
-  constexpr double kSameMap = 0.9;  // of the larger map
+  constexpr double kSameMap = 0.9;  // common part of the larger map
   constexpr double kNoise = 4;      // [grey levels] mean difference of two images of one scene
   const cv::Rect place(one.origin, one.map.size()), other_place(other.origin, other.map.size());
   const cv::Rect common = place & other_place;

@@ -8,7 +8,7 @@
 namespace mbncc {
 namespace {
 
-constexpr std::size_t kMostStates = 65;  // each holds the lesson's images' maps
+constexpr std::size_t kMostStates = 65;  // the lesson and 64 edits; each state holds full-size maps
 
 }  // namespace
 

@@ -10,8 +10,8 @@
 
 namespace mbncc::teaching {
 
-/// Corners of an outline, and points of all strokes of one edit together. An outline is compared
-/// with itself edge by edge.
+/// Most corners of an outline, and most points of all strokes of one edit together. The limit
+/// bounds the time of checking every pair of an outline's edges.
 constexpr std::size_t kMostPoints = 4096;
 
 constexpr int kLargestImage = 1 << 15;  ///< [px] largest side of an image

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Progress, cancellation and failure of a lesson's steps. Private to the layer: learn_object()
-// converts all of it to values.
+// Progress, cancellation and failure of a lesson's steps. Internal: run_lesson() and run_edit()
+// convert all of it to a LearnResult.
 #pragma once
 
 #include <functional>
@@ -12,8 +12,8 @@
 
 namespace mbncc::teaching {
 
-/// Ends a lesson or a correction that cannot continue. The caller of the steps turns it into a
-/// LearnResult; it does not leave the core.
+/// Ends a lesson or a correction that cannot continue. The caller of the steps converts it to a
+/// LearnResult, so it is never thrown out of the core.
 class LessonEnded : public std::runtime_error {
  public:
   /// `message` and `hint` replace the error's default texts.
@@ -42,7 +42,7 @@ class LessonProgress {
  public:
   explicit LessonProgress(const StageObserver& observer) : observer_(observer) {}
 
-  /// Makes the image of a step; called only with an observer.
+  /// Makes the image of a step; called only if there is an observer.
   using Image = std::function<cv::Mat()>;
 
   /// Throws LessonEnded(kCancelled) when the observer asks to stop. `progress` is of the whole

@@ -43,7 +43,7 @@ bool crosses_itself(const std::vector<cv::Point2f>& outline) {
 void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& region) {
   const bool changed = cv::countNonZero(survey.changed) > 0;
   const cv::Mat left = change::departures(lesson.before, lesson.after, survey.changed);
-  survey.changed = cv::Mat(left > 0);  // the one surveyed is kept
+  survey.changed = cv::Mat(left > 0);  // a new image: `surveyed` shares the old one
   const std::vector<cv::Rect> places = change::changed_places(left, survey.noisy);
   if (changed && places.empty())
     throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
@@ -62,8 +62,8 @@ cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, cons
   return !narrow.empty() && room.area() > kFarLarger * narrow.area() ? narrow : room;
 }
 
-// Whether the operator shows where the object was, closer than the change does. The verdict then
-// tells whether the images were good enough.
+// Whether the operator's input shows the object's place more precisely than the change does. The
+// verdict then tells whether the images were good enough.
 bool shows_place(const Lesson& lesson) {
   constexpr double kPlacePart = 0.25;  // of the image
   return lesson.click || !lesson.outline.empty() ||
@@ -83,7 +83,8 @@ void survey(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& 
   region.changed = survey.changed;
 }
 
-// The change there; in one image without a region, what is cut alike in squares of many sizes.
+// Narrows the region to the change at the click or, in one image without a region, to what is cut
+// alike in squares of many sizes.
 void narrow_to_click(const Lesson& lesson, const LearningConfig& config, RegionOfLesson& region) {
   if (lesson.after.empty()) {
     if (lesson.region != cv::Rect()) return;
@@ -109,7 +110,8 @@ void approximate(const Lesson& lesson, const LearningConfig& config, RegionOfLes
   if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
 }
 
-// One image tells the object from the background beside the region.
+// With one image, the background's colours are those outside the region, so the region must not be
+// the whole image.
 void check_background(const Lesson& lesson, const cv::Rect& room) {
   if (!lesson.after.empty() || !lesson.outline.empty() || lesson.region == cv::Rect()) return;
   if (room.size() == lesson.before.size())

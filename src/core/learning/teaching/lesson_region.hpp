@@ -15,12 +15,12 @@ struct RegionOfLesson {
   cv::Rect room;                ///< [px] the object lies in here
   cv::Mat approximate;          ///< the paper's approximate region
   cv::Mat changed;              ///< where something may have left; empty without an image after
-  cv::Mat surveyed;             ///< all changes, arrivals included; likewise
-  double agreement = 1;         ///< of a click in one image, as in ClickedRegion
+  cv::Mat surveyed;             ///< all changes, arrivals included; empty without an image after
+  double agreement = 1;         ///< for a click in one image, as in ClickedRegion; otherwise 1
   double second_departure = 0;  ///< as in CutEvidence
 };
 
-/// No place is given, so the largest departure is the object.
+/// Whether no place is given, so that the largest departure is the object.
 inline bool is_without_place(const Lesson& lesson) {
   return lesson.region == cv::Rect() && !lesson.click;
 }

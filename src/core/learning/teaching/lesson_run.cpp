@@ -16,7 +16,7 @@ namespace mbncc::teaching {
 namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
-constexpr double kCutOff = 0.1;    // part of a map's outline on the region's edge
+constexpr double kCutOff = 0.1;    // part of an outline on the edge of a region that cuts it off
 constexpr double kDoubted = 0.2;   // change outside the region above which a map is not GOOD
 
 bool refines(const NewPlace& place) {
@@ -86,7 +86,7 @@ class LessonRun {
     state_.cut = state_.cut->cut_with(state_.new_place->preference);
   }
 
-  // Of the object that was just modelled from `map`.
+  // New place of the object that was just modelled from `map`.
   std::optional<NewPlace> place_put_aside(const cv::Mat& map) const {
     return find_put_aside(result_.object, map, cutter_.task(), cutter_.surveyed(), config_,
                           search_);
@@ -234,7 +234,7 @@ class LessonRun {
   cv::Mat modelled_;  // the map that the result's object was made from
 };
 
-// Runs `steps` and converts the end of a lesson to values.
+// Runs `steps` and converts LessonEnded to `result`.
 template <class Steps>
 void run_to_result(LearnResult& result, Steps&& steps) {
   result = LearnResult();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The steps of a lesson, and of an edit of it.
+// Runs the steps of a lesson, and of an edit of it.
 #pragma once
 
 #include <optional>
@@ -19,8 +19,8 @@ namespace mbncc::teaching {
 struct LessonState {
   Lesson lesson;
   Marks marks;
-  cv::Mat changed;                    ///< the survey's; empty until there was one
-  std::optional<Segmentation> cut;    ///< before any marks; none until there was one
+  cv::Mat changed;                    ///< as in SegmentationTask; empty without a survey
+  std::optional<Segmentation> cut;    ///< without marks; none before the first cut
   std::optional<NewPlace> new_place;  ///< of an object put aside within the view
   LearnResult result;
 };

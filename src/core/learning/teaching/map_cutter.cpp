@@ -14,18 +14,18 @@
 namespace mbncc::teaching {
 namespace {
 
-constexpr int kClickMargin = 6;      // [px] about the clicked piece
-constexpr double kClickPart = 0.15;  // likewise, of its longer side
-constexpr double kTouching = 0.04;   // part of the outline on the region's edge that asks for more
-constexpr double kTight = 0.35;      // likewise, of a region that was drawn
+constexpr int kClickMargin = 6;      // [px] least margin around the clicked piece
+constexpr double kClickPart = 0.15;  // the margin as a part of the piece's longer side
+constexpr double kTouching = 0.04;   // part of the outline on the region's edge; if more, it grows
+constexpr double kTight = 0.35;  // part of the outline on a drawn region's edge; if more, it grows
 constexpr double kLeastSpan = 0.6;   // part of a drawn region's sides that the object fills
 constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too small on every side
-constexpr double kTolerance = 0.08;  // likewise, of its width and height
-constexpr double kClear = 0.8;       // boundary contrast and stability of clear edges
-constexpr double kAlike = 0.35;      // part of a map that looks like the platform
-constexpr double kFullPart = 0.98;   // of the room, from which on a map is everything
+constexpr double kTolerance = 0.08;  // the tolerance as a part of the region's width and height
+constexpr double kClear = 0.8;       // least boundary contrast and stability of clear edges
+constexpr double kAlike = 0.35;      // platform_likeness() above which a map is mostly platform
+constexpr double kFullPart = 0.98;   // part of the room from which a map is full
 
-// Whether a map without a clear edge looks like the platform: more than the object changed.
+// Whether a map without a clear edge looks like the platform, because more than the object changed.
 bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task) {
   return found.evidence && found.evidence->boundary_contrast < kClear &&
          change::platform_likeness(task.before, task.after, found.map) > kAlike;
@@ -120,14 +120,14 @@ Segmentation MapCutter::segment_region(Room room) {
   return segment_once();
 }
 
-// The stability of such a map includes that it does not depend on the region's size.
+// For a click in one image, stability includes that the map does not depend on the region's size.
 Segmentation MapCutter::clicked_alone() {
   Segmentation found = clicked(segment_once());
   if (found.evidence) found.evidence->stability = std::min(found.evidence->stability, agreement_);
   return found;
 }
 
-// Where the platform changed as well, the change about a click is more than the object.
+// Where the platform changed as well, the change around a click contains more than the object.
 Segmentation MapCutter::segment_clicked(Room room) {
   if (task_.after.empty()) return clicked_alone();
   try {
@@ -140,7 +140,7 @@ Segmentation MapCutter::segment_clicked(Room room) {
   }
 }
 
-// In the largest square about the click in which the map has a clear edge.
+// Segments in the largest square around the click in which the map has a clear edge.
 std::optional<Segmentation> MapCutter::segment_square() {
   const SegmentationTask first = task_;
   const double largest = std::max(first.region.width, first.region.height);
@@ -153,8 +153,8 @@ std::optional<Segmentation> MapCutter::segment_square() {
   return std::nullopt;
 }
 
-// A click selects one connected object: neighbours that were also removed are excluded with the
-// region.
+// A click selects one connected object: neighbours that were also removed are excluded by a
+// narrower region.
 Segmentation MapCutter::clicked(const Segmentation& found) {
   const cv::Mat piece = piece_at(found.map, *lesson_.click);
   if (cv::countNonZero(piece) == 0) refuse_click();
@@ -193,7 +193,7 @@ Segmentation MapCutter::checked(const Segmentation& found) {
   return found;
 }
 
-// A hand draws a region up to the object's edge or slightly inside it.
+// Regions drawn by hand may end at the object's edge or slightly inside it.
 cv::Rect MapCutter::widest_region() const {
   const cv::Rect region = usable_region(lesson_);
   if (lesson_.region == cv::Rect()) return region;
@@ -205,7 +205,7 @@ cv::Rect MapCutter::widest_region() const {
          cv::Rect({0, 0}, lesson_.before.size());
 }
 
-// A region that was not drawn may be far too small, a drawn one hardly.
+// A region that was not drawn may be far too small, a drawn one only slightly.
 cv::Rect MapCutter::wider_region() const {
   if (!lesson_.outline.empty()) return task_.region;
   const int margin = std::max(task_.region.width, task_.region.height) / 2;

@@ -18,11 +18,11 @@ namespace mbncc::teaching {
 /// Whether the region may grow if the map touches its edge.
 enum class Room { kStays, kMayGrow };
 
-/// Steps of one lesson that passed check_lesson(); keeps a reference to it, so that its region may
-/// change. Throws LessonEnded if there is no map, unless stated otherwise.
+/// Steps of one lesson that passed check_lesson(). Keeps a reference to the lesson, whose region
+/// may change. Throws LessonEnded if there is no map, unless stated otherwise.
 class MapCutter {
  public:
-  /// `timings_ms` receives "region" and "segment". All must outlive this.
+  /// `timings_ms` receives "region" and "segment". All arguments must outlive the cutter.
   MapCutter(const Lesson& lesson, const LearningConfig& config, LessonProgress& progress,
             std::map<std::string, double>& timings_ms);
 
@@ -32,7 +32,7 @@ class MapCutter {
   /// Finds the region of a lesson without a given map, for the following cuts.
   void mark_region();
 
-  /// From now on the object is searched only in `place` [px], where something changed.
+  /// Restricts the following cuts to `place` [px], where something changed.
   void look_at(const cv::Rect& place);
 
   Segmentation segment(Room room);
@@ -40,7 +40,7 @@ class MapCutter {
   /// None if segment() reports that there is no map; throws only LessonEnded(kCancelled).
   std::optional<Segmentation> segment_if_possible(Room room);
 
-  /// `cut` again, with the strokes as constraints.
+  /// Cuts again from `cut`, with the strokes as constraints.
   Segmentation cut_again(const Segmentation& cut, const Marks& marks);
 
   const SegmentationTask& task() const { return task_; }

@@ -17,7 +17,7 @@ struct Marks {
 };
 
 /// `marks` with the strokes of `edit` painted over them; `marks` itself is not changed. Throws
-/// LessonEnded(kRegionInvalid) for strokes that are no numbers, or far outside the image.
+/// LessonEnded(kRegionInvalid) for strokes with points that are not finite, or outside the image.
 Marks painted(const Marks& marks, const LessonEdit& edit, const cv::Size& image);
 
 /// `map` with the strokes painted into it.

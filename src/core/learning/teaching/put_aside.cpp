@@ -20,19 +20,19 @@ namespace mbncc::teaching {
 namespace {
 
 constexpr int kGap = 9;                 // [px] pieces nearer than this are joined
-constexpr double kSmallestPart = 0.25;  // of the object's area that a place must show
-constexpr double kLargestPart = 4;      // likewise, its shadow included
+constexpr double kSmallestPart = 0.25;  // least area of a place, relative to the object's
+constexpr double kLargestPart = 4;      // largest area with a shadow, relative to the object's
 constexpr std::size_t kPlacesTried = 2;
-constexpr double kOtherPart = 0.05;  // of a map's area: least size of another possible place
+constexpr double kOtherPart = 0.05;  // least area of another possible place per map area
 constexpr std::size_t kOthersTried = 3;
-constexpr int kPartMargin = 4;           // [px] about a part of a map
-constexpr double kLeastAgreement = 0.5;  // IoU that makes it the object
+constexpr int kPartMargin = 4;           // [px] margin around a part of a map
+constexpr double kLeastAgreement = 0.5;  // least IoU of the moved map and the cut at the place
 constexpr float kOutside = -4;           // log-odds of pixels outside the other view
 
 struct Place {
   cv::Rect box;
   bool within = true;     // it does not reach the image's border
-  double unlikeness = 0;  // of its area and the object's
+  double unlikeness = 0;  // absolute log-ratio of its area to the object's
 };
 
 // Patches about as large as the object, the most likely ones first.
@@ -81,7 +81,7 @@ class PutAsideSearch {
  public:
   PutAsideSearch(const ObjectModel& object, const cv::Mat& map, const SearchConfig& search)
       : map_(map), matcher_(unhurried(search)) {
-    // Searched by its centre: the object frame may lie far from the object.
+    // The reference point is the centroid, because the object frame may lie far from the object.
     auto centred = std::make_shared<ObjectModel>(object);
     const cv::Point2d centre = centroid(map_);
     centre_ = {centre.x, centre.y, 0};
@@ -132,8 +132,8 @@ std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& t
   return cut.cut_with ? put_aside.look(task.after, place, cut) : std::nullopt;
 }
 
-// Patches of `changed` that do not touch the map and have at least this part of its area, pieces
-// nearby included; empty when there are none.
+// Patches of `changed` that do not touch the map and have at least `least_part` of its area, with
+// nearby pieces joined; empty if there are none.
 cv::Mat patches_elsewhere(const cv::Mat& changed, const cv::Mat& map, double least_part) {
   const double scale = change::survey_scale(changed.cols);
   const int gap = cvRound(kGap * scale / 2) * 2 + 1;

@@ -9,8 +9,8 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastAgreement = 0.5;    // IoU of a found outline and the new map
-constexpr double kLeastExtentRatio = 0.8;  // of the excircles' radii
+constexpr double kLeastAgreement = 0.5;    // least IoU of a found outline and the new map
+constexpr double kLeastExtentRatio = 0.8;  // least ratio of the excircles' radii
 
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
                               const cv::Mat& image, const SearchRequest& request,
@@ -21,7 +21,7 @@ std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> ob
 }
 
 // Maps with the required IoU cannot differ more in area, nor much more in extent; other objects
-// need not be searched.
+// need not be searched for.
 bool may_agree(const cv::Mat& a, const cv::Mat& b) {
   const auto alike = [](double first, double second, double ratio) {
     return first >= ratio * second && second >= ratio * first;

@@ -15,10 +15,10 @@ namespace mbncc::teaching {
 namespace {
 
 constexpr double kSameObject = 0.5;  // least IoU of two cuts that show one object
-constexpr int kBeside = 7;           // [px] square about a pixel of a map: its rim
-constexpr double kClearer = 0.02;    // further part of an outline that lies on image edges
+constexpr int kBeside = 7;           // [px] square around a map pixel; change inside it is its rim
+constexpr double kClearer = 0.02;  // least gain in the part of an outline that lies on image edges
 
-// The cuts take the middle part of a lesson.
+// The cuts are the middle part of a lesson's progress.
 double segment_progress(int iteration, int iterations) {
   return 0.2 + 0.6 * iteration / iterations;
 }
@@ -37,7 +37,7 @@ BeforeCut report_cuts(const LearningConfig& config, LessonProgress& progress) {
   return report_cuts(progress, 0, config.iterations);
 }
 
-// Colours around the map and the marks, one GrabCut round.
+// One round of GrabCut with colours around the map and the marks.
 cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const SegmentationTask& task) {
   const cv::Rect room = task.region | cv::boundingRect(marks.include);
   const cv::Rect crop = grabcut_crop(room, map.size());
@@ -51,7 +51,7 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(segmentation::clean_map(result), marks);
 }
 
-// `evidence` is completed by what the map alone tells.
+// Completes `evidence` by the measures that need only the map.
 Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task) {
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
   inside(task.region).setTo(255);
@@ -120,7 +120,7 @@ double edge_and_span(const Segmentation& found, const SegmentationTask& task) {
   return edges + std::min(1.0, found.evidence->region_span / task.least_span);
 }
 
-// Of what the change cut took, the part of `map`'s size that `map` leaves out beyond its rim.
+// Area of the change cut that lies outside `map` and its rim, relative to the area of `map`.
 double left_out(const cv::Mat& change, const cv::Mat& map) {
   cv::Mat grown;
   cv::dilate(map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
@@ -128,8 +128,8 @@ double left_out(const cv::Mat& change, const cv::Mat& map) {
 }
 
 // A map that reaches the edge of its region contains a shadow or a reflection, or the region cuts
-// the object off. GrabCut, started from the change, takes its place where they mostly agree and its
-// outline is clearer (docs/decisions/0005-change-cut.md).
+// the object off. GrabCut, initialised with the change, replaces it if the two mostly agree and
+// GrabCut's outline is clearer (docs/decisions/0005-change-cut.md).
 Segmentation clearer_at_region_edge(const Segmentation& change, const SegmentationTask& task,
                                     int rounds, const BeforeCut& before_cut) {
   if (change.evidence->region_touch == 0) return change;
@@ -142,7 +142,7 @@ Segmentation clearer_at_region_edge(const Segmentation& change, const Segmentati
   evidence.change_beside = std::max(evidence.change_beside, left_out(change.map, map));
   Segmentation colours = by_colours(map, evidence, task);
   if (edge_part(colours, task) < edge_part(change, task) + kClearer) return change;
-  // Another view changes the cut, which is compared again.
+  // Another view changes the cut, so the two are compared again.
   colours.cut_with = [with = change.cut_with, task, rounds](const cv::Mat& preference) {
     return clearer_at_region_edge(with(preference), task, rounds, {});
   };
@@ -198,7 +198,7 @@ Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConf
   const auto clearer = [&](double touch_weight) {
     return lead >= touch_weight * touches_more ? smooth : colours;
   };
-  // The object reaches the edge of a tight region, which a part of it does not.
+  // In a tight region, a map of the whole object reaches the edge, but a map of a part does not.
   const Segmentation filling = clearer(0);
   return filling.evidence->region_touch > task.largest_touch ? filling : clearer(1);
 }
