@@ -172,9 +172,9 @@ class Story {
     return true;
   }
 
-  /// The object, drawn in the reported size, is at the place, no other object in the library looks
-  /// the same, and the whole search has missed it: the match was verified on the same pixels
-  /// before.
+  /// The object, drawn in the reported size, is at the place, no other object in the library
+  /// searches the same, and the whole search has missed it: the match was verified on the same
+  /// pixels before.
   bool is_overlooked(const Match& match) const {
     const auto objects = matcher_.objects();
     const auto drawn_as = [&](const std::string& name) {

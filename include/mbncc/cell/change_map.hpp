@@ -31,7 +31,7 @@ class ChangeMap {
   const std::vector<cv::Rect>& settled() const { return settled_; }
 
   /// Whether so much differs that the camera was probably moved or the light switched.
-  bool is_upset() const { return upset_; }
+  bool has_changed_globally() const { return changed_globally_; }
 
  private:
   struct Earlier {
@@ -42,15 +42,15 @@ class ChangeMap {
   void drop_outdated(double stamp);
   void compare(double stamp, const cv::Mat& cells);
   void settle(double stamp, const cv::Mat& cells);
-  cv::Mat stirring_cells(const cv::Mat& cells) const;
-  void take_to_records(const cv::Mat& cells, const cv::Mat& which);
+  cv::Mat moving_cells(const cv::Mat& cells) const;
+  void update_reference(const cv::Mat& cells, const cv::Mat& which);
 
-  cv::Mat records_;              // CV_32FC3 or CV_32FC1, one pixel per cell
+  cv::Mat references_;           // CV_32FC3 or CV_32FC1, one pixel per cell
   std::deque<Earlier> earlier_;  // cells of earlier images, 8 bits, oldest first
   cv::Mat changed_;              // CV_8UC1, 255: differs from the reference
   cv::Scalar gain_;              // of the newest image relative to the reference, per channel
-  double calm_at_ = 0;           // [s] last time without a changing patch
-  bool upset_ = false;
+  double rested_at_ = 0;         // [s] last time without a changing patch
+  bool changed_globally_ = false;
   std::vector<cv::Rect> settled_;
 };
 

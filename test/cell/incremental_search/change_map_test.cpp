@@ -107,11 +107,11 @@ TEST_F(ChangeMapTest, APushedCameraChangesTheWholeImage) {
   cv::warpAffine(platform(), pushed, cv::Matx23d(1, 0, 9, 0, 1, 5), {320, 240}, cv::INTER_LINEAR,
                  cv::BORDER_REPLICATE);
   show(pushed);
-  EXPECT_TRUE(map_.is_upset());
+  EXPECT_TRUE(map_.has_changed_globally());
   for (int i = 0; i < 3; ++i) show(pushed);
   EXPECT_FALSE(map_.settled().empty());
   show(pushed);
-  EXPECT_FALSE(map_.is_upset());
+  EXPECT_FALSE(map_.has_changed_globally());
   EXPECT_TRUE(is_calm());
 }
 

@@ -10,8 +10,8 @@ namespace {
 constexpr double kReach = 10;  // [px]
 
 /// A reliable instance whose outline is a square of 40 px.
-Known known_at(double x, const std::string& name = "one", double log_odds = 20) {
-  Known known;
+Instance known_at(double x, const std::string& name = "one", double log_odds = 20) {
+  Instance known;
   known.match.name = name;
   known.match.pose = {x, 100, 0};
   known.match.odds.best_at_place = log_odds;
@@ -27,28 +27,28 @@ Rival rival_at(double x, const std::string& name, double log_odds) {
   return rival_of(known_at(x, name, log_odds).match);
 }
 
-Match judged(const Known& known) {
+Match judged(const Instance& known) {
   return known.judged({"one", "other"}, SearchConfig());
 }
 
-TEST(Known, IsGraspableAfterComparisonWithAllObjectsAndPlaces) {
-  Known known = known_at(100);
+TEST(Instance, IsGraspableAfterComparisonWithAllObjectsAndPlaces) {
+  Instance known = known_at(100);
   known.others["other"] = std::nullopt;
   EXPECT_TRUE(judged(known).graspable);
   EXPECT_GE(judged(known).margin_place, 20);
-  Known open = known;
+  Instance open = known;
   open.others.clear();
   EXPECT_FALSE(judged(open).graspable) << "another object may lie there";
   EXPECT_LE(judged(open).margin_place, 0);
   EXPECT_FALSE(judged(open).reasons.empty());
-  Known here_alone = known;
+  Instance here_alone = known;
   here_alone.compared_elsewhere = false;
   EXPECT_FALSE(judged(here_alone).graspable) << "it may lie elsewhere";
   EXPECT_LE(judged(here_alone).margin_place, 0);
 }
 
-TEST(Known, CompetitorsCountWhereverTheyAre) {
-  Known known = known_at(100);
+TEST(Instance, CompetitorsCountWhereverTheyAre) {
+  Instance known = known_at(100);
   known.others["other"] = Competitor{"other", {100, 100}, 18};
   EXPECT_NEAR(judged(known).margin_place, 2, 1e-9);
   EXPECT_TRUE(judged(known).ambiguous);
@@ -59,128 +59,128 @@ TEST(Known, CompetitorsCountWhereverTheyAre) {
   EXPECT_FALSE(judged(known).graspable);
 }
 
-TEST(Known, KeepsItsMarginsWhenTheSamePixelsAreSearchedAgain) {
-  Known before = known_at(100), again = known_at(100, "one", 25);
+TEST(Instance, KeepsItsMarginsWhenTheSamePixelsAreSearchedAgain) {
+  Instance before = known_at(100), again = known_at(100, "one", 25);
   before.others["other"] = Competitor{"other", {100, 100}, 18};
   before.elsewhere = Competitor{"one", {300, 100}, 17};
-  again.take_comparisons(before);
+  again.inherit_comparisons(before);
   EXPECT_TRUE(again.compared_elsewhere);
   EXPECT_NEAR(judged(again).margin_place, 2, 1e-9) << "brighter light is no merit";
-  before.looks = 0;
-  Known changed = known_at(100, "one", 25);
-  changed.take_comparisons(before);
+  before.searches = 0;
+  Instance changed = known_at(100, "one", 25);
+  changed.inherit_comparisons(before);
   EXPECT_NEAR(changed.others.at("other")->log_odds, 18, 1e-9) << "other pixels, other odds";
 }
 
 class KnownInstancesTest : public testing::Test {
  protected:
   void compare_with(const std::vector<Rival>& found, bool covered = true) {
-    known_.compare("other", found, [covered](const cv::Rect&) { return covered; });
-    known_.compare("one", found, [covered](const cv::Rect&) { return covered; });
+    instances_.compare("other", found, [covered](const cv::Rect&) { return covered; });
+    instances_.compare("one", found, [covered](const cv::Rect&) { return covered; });
   }
 
   /// Margin of the only known instance if `rival` is its only competitor.
   double margin_to(const Match& rival) {
-    known_.all()[0].others.clear();
+    instances_.all()[0].others.clear();
     compare_with({rival_of(rival)});
-    return judged(known_.all()[0]).margin_place;
+    return judged(instances_.all()[0]).margin_place;
   }
 
-  InstanceList known_{0.25};
+  InstanceList instances_{0.25};
 };
 
 TEST_F(KnownInstancesTest, DetectionsAtThePlaceCompete) {
-  known_.admit(known_at(100), kReach);
+  instances_.admit(known_at(100), kReach);
   compare_with({rival_at(104, "other", 12), rival_at(100, "other", 15), rival_at(96, "other", 9)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 5, 1e-9) << "the best of them";
 }
 
 // A whole search compares only uncalibrated evidence, without the calibration by the fit of the
 // outline and by other instances.
 TEST_F(KnownInstancesTest, CalibrationDoesNotEnterTheComparison) {
-  Known firm = known_at(100, "one", 24);
+  Instance firm = known_at(100, "one", 24);
   firm.match.odds.calibration = -4;
-  known_.admit(firm, kReach);
+  instances_.admit(firm, kReach);
   Match behind_another = known_at(300, "one", 21).match;
   behind_another.odds.calibration = -6;
   compare_with({rival_at(100, "other", 20), rival_of(behind_another)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
-  Known loose = known_at(102, "other", 21);
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 3, 1e-9) << "of 24 to 21";
+  Instance loose = known_at(102, "other", 21);
   loose.match.score = 0.95;
   loose.match.odds.calibration = 2;
-  known_.admit(loose, kReach);
-  ASSERT_EQ(known_.all().size(), 1u);
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
+  instances_.admit(loose, kReach);
+  ASSERT_EQ(instances_.all().size(), 1u);
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
 }
 
 // The two objects were searched in the whole image at different times, with different clutter in
 // view.
 TEST_F(KnownInstancesTest, MoreClutterDoesNotWeakenARival) {
-  known_.admit(known_at(100, "one", 24), kReach);
+  instances_.admit(known_at(100, "one", 24), kReach);
   Match crowded = known_at(100, "other", 24).match;
   crowded.odds.clutter = 7;
   EXPECT_NEAR(margin_to(crowded), 0, 1e-9);
-  known_.all()[0].match.odds.clutter = 3;
+  instances_.all()[0].match.odds.clutter = 3;
   EXPECT_NEAR(margin_to(known_at(100, "other", 24).match), -3, 1e-9)
       << "nor worse by its own lack of it";
 }
 
 TEST_F(KnownInstancesTest, APrintDifferenceDoesNotWeakenARival) {
-  known_.admit(known_at(100, "one", 24), kReach);
+  instances_.admit(known_at(100, "one", 24), kReach);
   Match dirty = known_at(100, "other", 15).match;
   dirty.odds.print = 9;
   EXPECT_NEAR(margin_to(dirty), 0, 1e-9);
 }
 
 TEST_F(KnownInstancesTest, GainByAnotherSizeDoesNotWeakenARival) {
-  Known resized = known_at(100, "one", 24);
+  Instance resized = known_at(100, "one", 24);
   resized.match.odds.resized = 5;
-  known_.admit(resized, kReach);
+  instances_.admit(resized, kReach);
   EXPECT_NEAR(margin_to(known_at(100, "other", 15).match), 4, 1e-9);
 }
 
 TEST_F(KnownInstancesTest, AnObjectNotYetSearchedForThereBlocksTheGrasp) {
-  known_.admit(known_at(100), kReach);
+  instances_.admit(known_at(100), kReach);
   compare_with({}, false);
-  EXPECT_FALSE(judged(known_.all()[0]).graspable);
+  EXPECT_FALSE(judged(instances_.all()[0]).graspable);
   compare_with({}, true);
-  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+  EXPECT_TRUE(judged(instances_.all()[0]).graspable);
 }
 
 TEST_F(KnownInstancesTest, OtherPlacesCompeteUnlessTheyAreInstances) {
-  known_.admit(known_at(100), kReach);
-  known_.admit(known_at(200), kReach);
+  instances_.admit(known_at(100), kReach);
+  instances_.admit(known_at(200), kReach);
   compare_with({rival_at(203, "one", 15), rival_at(100, "one", 14)});
-  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+  EXPECT_TRUE(judged(instances_.all()[0]).graspable);
   compare_with({rival_at(300, "one", 15)});
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 5, 1e-9);
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 5, 1e-9);
 }
 
 TEST_F(KnownInstancesTest, OtherObjectsElsewhereDoNotCompete) {
-  known_.admit(known_at(100), kReach);
+  instances_.admit(known_at(100), kReach);
   compare_with({rival_at(200, "other", 30)});
-  EXPECT_TRUE(judged(known_.all()[0]).graspable);
+  EXPECT_TRUE(judged(instances_.all()[0]).graspable);
 }
 
 TEST_F(KnownInstancesTest, TheBetterOfTwoAtOnePlaceStaysAndKeepsItsMargin) {
-  Known weaker = known_at(102, "other", 18), better = known_at(100);
+  Instance weaker = known_at(102, "other", 18), better = known_at(100);
   weaker.match.score = 0.8;
-  ASSERT_NE(known_.admit(weaker, kReach), nullptr);
-  ASSERT_NE(known_.admit(better, kReach), nullptr);
-  ASSERT_EQ(known_.all().size(), 1u);
-  EXPECT_EQ(known_.all()[0].match.name, "one");
-  EXPECT_NEAR(judged(known_.all()[0]).margin_place, 2, 1e-9);
-  EXPECT_EQ(known_.admit(weaker, kReach), nullptr);
+  ASSERT_NE(instances_.admit(weaker, kReach), nullptr);
+  ASSERT_NE(instances_.admit(better, kReach), nullptr);
+  ASSERT_EQ(instances_.all().size(), 1u);
+  EXPECT_EQ(instances_.all()[0].match.name, "one");
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 2, 1e-9);
+  EXPECT_EQ(instances_.admit(weaker, kReach), nullptr);
 }
 
 TEST_F(KnownInstancesTest, AnInstanceOfAnEarlierImageIsReplacedUncompared) {
-  Known earlier = known_at(102, "other", 10);
+  Instance earlier = known_at(102, "other", 10);
   earlier.match.score = 0.8;
   earlier.match.fresh = false;
-  known_.admit(earlier, kReach);
-  known_.admit(known_at(100), kReach);
-  ASSERT_EQ(known_.all().size(), 1u);
-  EXPECT_FALSE(judged(known_.all()[0]).graspable) << "the light may have changed since then";
+  instances_.admit(earlier, kReach);
+  instances_.admit(known_at(100), kReach);
+  ASSERT_EQ(instances_.all().size(), 1u);
+  EXPECT_FALSE(judged(instances_.all()[0]).graspable) << "the light may have changed since then";
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ TEST_F(VideoSearchTest, AStillSceneIsSearchedAFewTimesOnly) {
     }
     EXPECT_EQ(result.searched.size(), 3u);
   }
-  EXPECT_LE(fresh, 2) << "the sweep alone looks again";
+  EXPECT_LE(fresh, 2) << "the sweep alone searches again";
 }
 
 TEST_F(VideoSearchTest, EveryObjectIsSweptWithinItsPeriod) {

@@ -96,16 +96,16 @@ TEST(RimPreference, FollowsTheLargerShareOfTheMixture) {
   const int y = kObject.y + kObject.height / 2;
   EXPECT_LT(rim.log_odds.at<float>(y, kObject.x - 1), -1);
   EXPECT_GT(rim.log_odds.at<float>(y, kObject.x), 1);
-  EXPECT_EQ(rim.told.at<uchar>(y, kObject.x + 10), 0) << "far from the outline nothing is told";
+  EXPECT_EQ(rim.valid.at<uchar>(y, kObject.x + 10), 0) << "far from the outline nothing is sampled";
 }
 
 TEST(RimPreference, IsUndecidedForEqualSidesAndAThirdColour) {
   cv::Mat before(kSize, CV_32FC3, cv::Scalar(180, 180, 180)), after = before.clone();
-  EXPECT_EQ(cv::countNonZero(likelihood::rim_preference(before, after, truth(), 1).told), 0);
+  EXPECT_EQ(cv::countNonZero(likelihood::rim_preference(before, after, truth(), 1).valid), 0);
   before(kObject).setTo(cv::Scalar(40, 40, 220));
   before(cv::Rect(kObject.x, kObject.y, 1, kObject.height)).setTo(cv::Scalar(20, 220, 20));
   const likelihood::RimPreference rim = likelihood::rim_preference(before, after, truth(), 1);
-  EXPECT_EQ(rim.told.at<uchar>(kObject.y + 20, kObject.x), 0);
+  EXPECT_EQ(rim.valid.at<uchar>(kObject.y + 20, kObject.x), 0);
 }
 
 // A scene on squares of two colours; `side` in px.

@@ -18,12 +18,14 @@ constexpr double kNoiseFactor = 8;      // threshold in median differences of ce
 constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per image
 constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
 constexpr int kStride = 37;             // stride of the cells used for gain and noise
-constexpr double kPatience = 1.5;  // [s] a patch that keeps changing for longer is reported anyway
-constexpr double kCalm = 0.095;    // [s] a patch must be at rest for this long to be reported
-constexpr int kJoined = 3;         // [cells] side of the dilation that joins nearby patches
-constexpr int kLeastCells = 2;     // least changed cells of a reported patch
-constexpr int kStirring = 2;       // cells in motion from which a patch is still changing
-constexpr double kUpset = 0.35;    // changed part of the cells above which is_upset() holds
+constexpr double kLongestChange =
+    1.5;  // [s] a patch that keeps changing for longer is reported anyway
+constexpr double kRestTime = 0.095;  // [s] a patch must be at rest for this long to be reported
+constexpr int kJoined = 3;           // [cells] side of the dilation that joins nearby patches
+constexpr int kLeastCells = 2;       // least changed cells of a reported patch
+constexpr int kLeastMoving = 2;      // cells in motion from which a patch is still changing
+constexpr double kGlobalChange =
+    0.35;  // changed part of the cells above which has_changed_globally() holds
 
 cv::Mat cell_means(const cv::Mat& image) {
   cv::Mat cells = image;
@@ -154,11 +156,11 @@ void ChangeMap::update(double stamp, const cv::Mat& image) {
   const cv::Mat cells = cell_means(image);
   settled_.clear();
   drop_outdated(stamp);
-  if (cells.size() != records_.size() || cells.channels() != records_.channels()) {
-    cells.convertTo(records_, CV_32F);
+  if (cells.size() != references_.size() || cells.channels() != references_.channels()) {
+    cells.convertTo(references_, CV_32F);
     changed_ = cv::Mat::zeros(cells.size(), CV_8UC1);
-    upset_ = false;
-    calm_at_ = stamp;
+    changed_globally_ = false;
+    rested_at_ = stamp;
     earlier_.clear();
   } else {
     compare(stamp, cells);
@@ -167,11 +169,11 @@ void ChangeMap::update(double stamp, const cv::Mat& image) {
 }
 
 void ChangeMap::drop_outdated(double stamp) {
-  while (earlier_.size() > 1 && stamp - earlier_[1].stamp >= kCalm) earlier_.pop_front();
+  while (earlier_.size() > 1 && stamp - earlier_[1].stamp >= kRestTime) earlier_.pop_front();
 }
 
 void ChangeMap::reset() {
-  records_.release();
+  references_.release();
 }
 
 bool ChangeMap::touches(const cv::Rect& region) const {
@@ -183,52 +185,52 @@ bool ChangeMap::touches(const cv::Rect& region) const {
 }
 
 void ChangeMap::compare(double stamp, const cv::Mat& cells) {
-  gain_ = median_gain<float>(cells, records_);
+  gain_ = median_gain<float>(cells, references_);
   const cv::Mat differs =
-      differing<float>(cells, records_, gain_, threshold_of<float>(cells, records_, gain_));
-  follow(cells, differs, gain_, records_);
+      differing<float>(cells, references_, gain_, threshold_of<float>(cells, references_, gain_));
+  follow(cells, differs, gain_, references_);
   changed_ = any_channel(differs);
   const int count = cv::countNonZero(changed_);
-  upset_ = count > kUpset * static_cast<double>(changed_.total());
+  changed_globally_ = count > kGlobalChange * static_cast<double>(changed_.total());
   if (count > 0)
     settle(stamp, cells);
   else
-    calm_at_ = stamp;
+    rested_at_ = stamp;
 }
 
 void ChangeMap::settle(double stamp, const cv::Mat& cells) {
-  const cv::Mat stirring = stirring_cells(cells);
+  const cv::Mat stirring = moving_cells(cells);
   const Patches patches(changed_);
-  const bool patient = stamp - calm_at_ < kPatience;
+  const bool patient = stamp - rested_at_ < kLongestChange;
   cv::Mat at_rest = cv::Mat::zeros(cells.size(), CV_8UC1);
   bool restless = false;
   for (int label = 1; label < patches.count; ++label) {
     const cv::Rect box = patches.box(label);
     const cv::Mat patch = patches.labels(box) == label;
-    if (patient && cv::countNonZero(patch & stirring(box)) >= kStirring) {
+    if (patient && cv::countNonZero(patch & stirring(box)) >= kLeastMoving) {
       restless = true;
       continue;
     }
     at_rest(box).setTo(255, patch);
     if (cv::countNonZero(patch & changed_(box)) >= kLeastCells) settled_.push_back(in_pixels(box));
   }
-  if (!restless) calm_at_ = stamp;
-  take_to_records(cells, at_rest);
+  if (!restless) rested_at_ = stamp;
+  update_reference(cells, at_rest);
 }
 
-cv::Mat ChangeMap::stirring_cells(const cv::Mat& cells) const {
+cv::Mat ChangeMap::moving_cells(const cv::Mat& cells) const {
   const cv::Mat& before = earlier_.front().cells;
   const cv::Scalar gain = median_gain<uchar>(cells, before);
   const double threshold = threshold_of<uchar>(cells, before, gain);
   return any_channel(differing<uchar>(cells, before, gain, threshold));
 }
 
-void ChangeMap::take_to_records(const cv::Mat& cells, const cv::Mat& which) {
+void ChangeMap::update_reference(const cv::Mat& cells, const cv::Mat& which) {
   cv::Mat anew;
   cells.convertTo(anew, CV_32F, 1, kDark);
   cv::divide(anew, gain_, anew);
   cv::subtract(anew, cv::Scalar::all(kDark), anew);
-  anew.copyTo(records_, which);
+  anew.copyTo(references_, which);
 }
 
 }  // namespace mbncc

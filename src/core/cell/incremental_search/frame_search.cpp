@@ -6,12 +6,14 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "imaging/rectangles.hpp"
+
 namespace mbncc::incremental_search {
 namespace {
 
 // Largest distance from a change to a searched reference point, as a part of the object's radius.
 constexpr double kOverhang = 0.35;
-constexpr int kLooks = 10;  // searches for an instance at rest, whose poses are averaged
+constexpr int kMostSearches = 10;  // searches for an instance at rest, whose poses are averaged
 
 cv::Rect square_about(const cv::Point2d& middle, double reach) {
   const int side = 2 * static_cast<int>(std::ceil(reach)) + 1;
@@ -38,52 +40,52 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
       matcher_(matcher),
       stamp_(stamp),
       search_(matcher, image, one_by_one(matcher, memory.request)) {
-  give_up(memory_.sought.update(matcher.objects()));
-  for (const auto& [name, sought] : memory_.sought.all())
-    if (sought.swept_at == Sought::kNever) memory_.pending.add(name, search_.whole());
+  drop_removed_objects(memory_.objects.update(matcher.objects()));
+  for (const auto& [name, object] : memory_.objects.all())
+    if (object.swept_at == SearchedObject::kNever) memory_.pending.add(name, search_.whole());
   memory_.changes.update(stamp, image);
 }
 
 /// Places occupied by objects that are no longer searched for must be searched again.
-void FrameSearch::give_up(const std::vector<std::string>& gone) {
+void FrameSearch::drop_removed_objects(const std::vector<std::string>& gone) {
   for (const auto& name : gone) {
-    for (const auto& one : memory_.known.all())
-      if (one.match.name == name) owe_place(one);
+    for (const auto& one : memory_.instances.all())
+      if (one.match.name == name) schedule_place(one);
     memory_.forget(name);
-    for (auto& one : memory_.known.all()) one.others.erase(name);
+    for (auto& one : memory_.instances.all()) one.others.erase(name);
   }
 }
 
-SearchResult FrameSearch::look_everywhere() {
+SearchResult FrameSearch::search_whole_image() {
   memory_.last_sweep = stamp_;
-  search_everywhere();
+  rebuild_instances();
   return report_of(memory_, matcher_.config(), search_.budget_exceeded());
 }
 
-SearchResult FrameSearch::look_at_changes() {
-  for (auto& known : memory_.known.all()) known.match.fresh = false;
+SearchResult FrameSearch::search_changes() {
+  for (auto& instance : memory_.instances.all()) instance.match.fresh = false;
   const ChangeMap& changes = memory_.changes;
-  if (changes.is_upset() && !changes.settled().empty()) return look_everywhere();
+  if (changes.has_changed_globally() && !changes.settled().empty()) return search_whole_image();
   note_settled();
   verify_touched();
-  look_for_hidden();
+  search_hidden();
   search_pending(kLost);
   sweep();
   search_pending(kSeen);
-  compare_touched();
-  look_again();
+  compare_with_open_objects();
+  search_again();
   return report_of(memory_, matcher_.config(), search_.budget_exceeded());
 }
 
 SearchResult FrameSearch::search(const cv::Rect& region, const std::vector<std::string>& names) {
-  return search_.find(region, names, memory_.sought.radius(names), memory_.clutter,
+  return search_.find(region, names, memory_.objects.radius(names), memory_.clutter,
                       best_outside(region, names), others(names));
 }
 
 /// Footprints of the known instances of all objects but `names`.
 std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names) const {
   std::vector<Footprint> footprints;
-  for (const auto& one : memory_.known.all()) {
+  for (const auto& one : memory_.instances.all()) {
     if (std::find(names.begin(), names.end(), one.match.name) != names.end()) continue;
     cv::Point2f centre;
     float radius = 0;
@@ -98,7 +100,7 @@ std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names
 std::map<std::string, double> FrameSearch::best_outside(
     const cv::Rect& region, const std::vector<std::string>& names) const {
   std::map<std::string, double> best;
-  for (const auto& one : memory_.known.all()) {
+  for (const auto& one : memory_.instances.all()) {
     const bool asked = std::find(names.begin(), names.end(), one.match.name) != names.end();
     if (!asked || !(one.box() & region).empty()) continue;
     const auto entry = best.try_emplace(one.match.name, one.match.odds.uncalibrated()).first;
@@ -112,26 +114,26 @@ void FrameSearch::compare(const SearchResult& result, const cv::Rect& region) {
   std::vector<Rival> found = result.rivals;
   for (const auto& match : result.matches) found.push_back(rival_of(match));
   for (const auto& name : result.searched)
-    memory_.known.compare(
+    memory_.instances.compare(
         name, found, [&](const cv::Rect& box) { return is_within(touching(box, name), region); });
 }
 
-void FrameSearch::search_everywhere() {
-  const SearchResult result = search(search_.whole(), memory_.sought.names());
-  memory_.known.all().clear();
+void FrameSearch::rebuild_instances() {
+  const SearchResult result = search(search_.whole(), memory_.objects.names());
+  memory_.instances.all().clear();
   memory_.hidden.clear();
   for (const auto& name : result.searched) note_swept(name, result);
   for (const auto& match : result.matches) {
-    memory_.known.all().push_back(known_from(match));
-    memory_.known.all().back().compared_elsewhere = true;
+    memory_.instances.all().push_back(instance_from(match));
+    memory_.instances.all().back().compared_elsewhere = true;
   }
   compare(result, search_.whole());
 }
 
 void FrameSearch::note_swept(const std::string& name, const SearchResult& result) {
-  Sought& sought = memory_.sought.at(name);
-  sought.swept_at = stamp_;
-  sought.urgent = sought.lost = false;
+  SearchedObject& object = memory_.objects.at(name);
+  object.swept_at = stamp_;
+  object.urgent = object.lost = false;
   memory_.pending.forget(name);
   const auto clutter = result.clutter.find(name);
   memory_.clutter[name] = clutter == result.clutter.end() ? 0 : clutter->second;
@@ -140,8 +142,9 @@ void FrameSearch::note_swept(const std::string& name, const SearchResult& result
 /// Places that have come to rest must be searched for every object.
 void FrameSearch::note_settled() {
   for (const auto& place : memory_.changes.settled())
-    for (const auto& [name, sought] : memory_.sought.all())
-      memory_.pending.add(name, grown(place, cvRound(kOverhang * sought.radius)) & search_.whole());
+    for (const auto& [name, object] : memory_.objects.all())
+      memory_.pending.add(
+          name, imaging::grown(place, cvRound(kOverhang * object.radius)) & search_.whole());
 }
 
 bool FrameSearch::is_settled(const cv::Rect& box) const {
@@ -152,15 +155,15 @@ bool FrameSearch::is_settled(const cv::Rect& box) const {
 
 /// An instance that has not been compared with other objects yet: of the match's competitors, only
 /// those of its own name are kept.
-Known FrameSearch::known_from(const Match& match) const {
-  Known known;
-  known.match = match;
-  auto& own = known.match.competitors;
+Instance FrameSearch::instance_from(const Match& match) const {
+  Instance instance;
+  instance.match = match;
+  auto& own = instance.match.competitors;
   own.erase(std::remove_if(own.begin(), own.end(),
                            [&](const auto& competitor) { return competitor.name != match.name; }),
             own.end());
-  known.in_motion = is_in_motion(known.box());
-  return known;
+  instance.in_motion = is_in_motion(instance.box());
+  return instance;
 }
 
 bool FrameSearch::is_in_motion(const cv::Rect& box) const {
@@ -170,13 +173,13 @@ bool FrameSearch::is_in_motion(const cv::Rect& box) const {
 void FrameSearch::verify_touched() {
   const ChangeMap& changes = memory_.changes;
   // Results obtained during motion are valid for that image only.
-  std::vector<Known> touched = memory_.known.take([&](const Known& one) {
-    return changes.is_upset() || one.in_motion || changes.touches(one.box());
+  std::vector<Instance> touched = memory_.instances.take([&](const Instance& one) {
+    return changes.has_changed_globally() || one.in_motion || changes.touches(one.box());
   });
   for (auto& one : touched) {
-    one.looks = 0;
+    one.searches = 0;
     one.others.clear();
-    if (is_settled(one.box())) owe_place(one);
+    if (is_settled(one.box())) schedule_place(one);
   }
   for (const auto& one : touched)
     if (!find_again(one, touched)) memory_.hidden.push_back(one);
@@ -184,8 +187,8 @@ void FrameSearch::verify_touched() {
 
 /// A hidden instance is searched for at its place whenever something comes to rest there, and a
 /// last time when the place matches the reference again.
-void FrameSearch::look_for_hidden() {
-  const std::vector<Known> before = std::exchange(memory_.hidden, {});
+void FrameSearch::search_hidden() {
+  const std::vector<Instance> before = std::exchange(memory_.hidden, {});
   for (const auto& one : before) {
     const bool changing = memory_.changes.touches(one.box());
     const bool found = (!changing || is_settled(one.box())) && find_again(one, before);
@@ -194,28 +197,28 @@ void FrameSearch::look_for_hidden() {
 }
 
 /// Searches for an instance near its last place.
-bool FrameSearch::find_again(const Known& one, const std::vector<Known>& before) {
-  Sought& sought = memory_.sought.at(one.match.name);
-  const auto region = square_about(one.match.pose.position(), sought.reach());
+bool FrameSearch::find_again(const Instance& one, const std::vector<Instance>& before) {
+  SearchedObject& object = memory_.objects.at(one.match.name);
+  const auto region = square_about(one.match.pose.position(), object.reach());
   const SearchResult result = search(region, {one.match.name});
   bool found = false;
   for (const auto& match : result.matches) {
     admit(match, before);
-    found |= is_continued(one.match, match, sought.reach());
+    found |= is_continued(one.match, match, object.reach());
   }
   compare(result, region);
-  sought.lost = !found;
+  object.lost = !found;
   return found;
 }
 
 /// Periodically searches the whole image for one object after the other; for an object that was
 /// found at a new place it does so at once, to find its competitors.
 void FrameSearch::sweep() {
-  const std::string next = memory_.sought.next_to_sweep();
+  const std::string next = memory_.objects.next_to_sweep();
   if (next.empty()) return;
-  const double turn = config_.sweep_time / static_cast<double>(memory_.sought.all().size());
+  const double turn = config_.sweep_time / static_cast<double>(memory_.objects.all().size());
   const bool due = stamp_ - memory_.last_sweep >= turn;
-  const bool urgent = memory_.sought.at(next).urgent && search_.spent() < config_.max_search_cost;
+  const bool urgent = memory_.objects.at(next).urgent && search_.spent() < config_.max_search_cost;
   if (due) memory_.last_sweep = stamp_;
   if (due || urgent) sweep_for(next);
 }
@@ -224,9 +227,10 @@ void FrameSearch::sweep_for(const std::string& name) {
   const SearchResult result = search(search_.whole(), {name});
   if (result.searched.empty()) return;
   note_swept(name, result);
-  const auto before = memory_.known.take([&](const Known& one) { return one.match.name == name; });
+  const auto before =
+      memory_.instances.take([&](const Instance& one) { return one.match.name == name; });
   for (const auto& match : result.matches) {
-    Known* admitted = admit(match, before);
+    Instance* admitted = admit(match, before);
     if (!admitted) continue;
     admitted->compared_elsewhere = true;
     admitted->elsewhere.reset();
@@ -240,10 +244,10 @@ void FrameSearch::search_pending(Urgency least) {
   while (search_.spent() < config_.max_search_cost) {
     const auto due = memory_.pending.next(urgency);
     if (!due || urgency_of(due->name) > least) return;
-    look_at_uncompared(due->name, due->region);
+    search_uncompared(due->name, due->region);
     const SearchResult result = search(due->region, {due->name});
     if (result.searched.empty()) return;
-    const std::vector<Known> before = memory_.known.all();
+    const std::vector<Instance> before = memory_.instances.all();
     for (const auto& match : result.matches) admit(match, before);
     compare(result, due->region);
     memory_.pending.complete(due->name, due->region);
@@ -252,8 +256,8 @@ void FrameSearch::search_pending(Urgency least) {
 
 /// Log-odds are comparable only within one image, so the instances that a search of `region` for
 /// `name` is compared with are searched for in this image as well.
-void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& region) {
-  const auto uncompared = memory_.known.take([&](const Known& one) {
+void FrameSearch::search_uncompared(const std::string& name, const cv::Rect& region) {
+  const auto uncompared = memory_.instances.take([&](const Instance& one) {
     return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
            is_within(touching(one.box(), name), region);
   });
@@ -261,72 +265,73 @@ void FrameSearch::look_at_uncompared(const std::string& name, const cv::Rect& re
 }
 
 FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
-  if (memory_.sought.at(name).lost) return kLost;
-  return memory_.known.shows(name) ? kSeen : kUnseen;
+  if (memory_.objects.at(name).lost) return kLost;
+  return memory_.instances.shows(name) ? kSeen : kUnseen;
 }
 
 /// Compares instances with all objects even while there is motion around them, within
 /// max_search_cost.
-void FrameSearch::compare_touched() {
-  for (const auto& name : memory_.sought.names())
-    for (std::size_t i = 0; i < memory_.known.all().size(); ++i) {
+void FrameSearch::compare_with_open_objects() {
+  for (const auto& name : memory_.objects.names())
+    for (std::size_t i = 0; i < memory_.instances.all().size(); ++i) {
       if (search_.spent() >= config_.max_search_cost) return;
-      const Known& one = memory_.known.all()[i];
+      const Instance& one = memory_.instances.all()[i];
       if (one.match.name == name || one.others.count(name) > 0) continue;
       const cv::Rect region = touching(one.box(), name);
-      look_at_uncompared(name, region);
+      search_uncompared(name, region);
       const SearchResult result = search(region, {name});
-      const std::vector<Known> before = memory_.known.all();
+      const std::vector<Instance> before = memory_.instances.all();
       for (const auto& match : result.matches) admit(match, before);
       compare(result, region);
     }
 }
 
 /// Instances at rest are searched for a few more times, so that their poses can be averaged.
-void FrameSearch::look_again() {
+void FrameSearch::search_again() {
   if (search_.spent() > 0) return;
-  auto& known = memory_.known.all();
+  auto& instances = memory_.instances.all();
   const auto least = std::min_element(
-      known.begin(), known.end(), [](const Known& a, const Known& b) { return a.looks < b.looks; });
-  if (least == known.end() || least->looks >= kLooks) return;
-  const std::vector<Known> before{*least};
-  known.erase(least);
+      instances.begin(), instances.end(),
+      [](const Instance& a, const Instance& b) { return a.searches < b.searches; });
+  if (least == instances.end() || least->searches >= kMostSearches) return;
+  const std::vector<Instance> before{*least};
+  instances.erase(least);
   find_again(before.front(), before);
 }
 
 /// Adds a match to the known instances; null if a better one is there. `before` may contain the
 /// earlier state of the same instance.
-Known* FrameSearch::admit(const Match& match, const std::vector<Known>& before) {
-  const double reach = memory_.sought.at(match.name).reach();
-  Known found = known_from(match);
-  const Known* origin = predecessor(before, match, reach);
+Instance* FrameSearch::admit(const Match& match, const std::vector<Instance>& before) {
+  const double reach = memory_.objects.at(match.name).reach();
+  Instance found = instance_from(match);
+  const Instance* origin = predecessor(before, match, reach);
   if (origin) {
-    found.take_comparisons(*origin);
-    found.looks = origin->looks + 1;
+    found.inherit_comparisons(*origin);
+    found.searches = origin->searches + 1;
   }
-  Known* admitted = memory_.known.admit(found, reach);
-  if (admitted && !origin) announce(*admitted);
+  Instance* admitted = memory_.instances.admit(found, reach);
+  if (admitted && !origin) schedule_new_instance(*admitted);
   return admitted;
 }
 
 /// Schedules the comparison of an instance at a new place with all objects there and with the rest
 /// of the image.
-void FrameSearch::announce(const Known& one) {
-  Sought& own = memory_.sought.at(one.match.name);
+void FrameSearch::schedule_new_instance(const Instance& one) {
+  SearchedObject& own = memory_.objects.at(one.match.name);
   own.lost = false;
   own.urgent = true;
-  owe_place(one);
+  schedule_place(one);
 }
 
 /// Schedules a search of the instance's place for all other objects.
-void FrameSearch::owe_place(const Known& one) {
-  for (const auto& [name, sought] : memory_.sought.all())
+void FrameSearch::schedule_place(const Instance& one) {
+  for (const auto& [name, object] : memory_.objects.all())
     if (name != one.match.name) memory_.pending.add(name, touching(one.box(), name));
 }
 
 /// Region [px] of the reference points of all poses of object `name` that may touch `box`.
 cv::Rect FrameSearch::touching(const cv::Rect& box, const std::string& name) const {
-  return grown(box, cvCeil(memory_.sought.at(name).radius)) & search_.whole();
+  return imaging::grown(box, cvCeil(memory_.objects.at(name).radius)) & search_.whole();
 }
 
 }  // namespace mbncc::incremental_search

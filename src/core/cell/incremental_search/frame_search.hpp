@@ -19,16 +19,16 @@ class FrameSearch {
               const cv::Mat& image);
 
   /// Searches the whole image for all objects: for the first image, or after a complete change.
-  SearchResult look_everywhere();
+  SearchResult search_whole_image();
 
-  SearchResult look_at_changes();
+  SearchResult search_changes();
 
  private:
   /// Urgency of the search for an object; the most urgent first.
   enum Urgency { kLost, kUnseen, kSeen };
 
-  void give_up(const std::vector<std::string>& gone);
-  void search_everywhere();
+  void drop_removed_objects(const std::vector<std::string>& gone);
+  void rebuild_instances();
   SearchResult search(const cv::Rect& region, const std::vector<std::string>& names);
   std::map<std::string, double> best_outside(const cv::Rect& region,
                                              const std::vector<std::string>& names) const;
@@ -37,21 +37,21 @@ class FrameSearch {
   void note_swept(const std::string& name, const SearchResult& result);
   void note_settled();
   bool is_settled(const cv::Rect& box) const;
-  Known known_from(const Match& match) const;
+  Instance instance_from(const Match& match) const;
   bool is_in_motion(const cv::Rect& box) const;
   void verify_touched();
-  void look_for_hidden();
-  bool find_again(const Known& one, const std::vector<Known>& before);
+  void search_hidden();
+  bool find_again(const Instance& one, const std::vector<Instance>& before);
   void sweep();
   void sweep_for(const std::string& name);
   void search_pending(Urgency least);
-  void look_at_uncompared(const std::string& name, const cv::Rect& region);
+  void search_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
-  void compare_touched();
-  void look_again();
-  Known* admit(const Match& match, const std::vector<Known>& before);
-  void announce(const Known& one);
-  void owe_place(const Known& one);
+  void compare_with_open_objects();
+  void search_again();
+  Instance* admit(const Match& match, const std::vector<Instance>& before);
+  void schedule_new_instance(const Instance& one);
+  void schedule_place(const Instance& one);
   cv::Rect touching(const cv::Rect& box, const std::string& name) const;
 
   SearchMemory& memory_;

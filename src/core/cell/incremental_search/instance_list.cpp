@@ -34,12 +34,12 @@ Competitor competitor_of(const Match& match, const Rival& rival) {
 
 }  // namespace
 
-cv::Rect Known::box() const {
+cv::Rect Instance::box() const {
   return cv::boundingRect(match.outline);
 }
 
-void Known::take_comparisons(const Known& before) {
-  const double gain = before.looks > 0 ? match.log_odds() - before.match.log_odds() : 0;
+void Instance::inherit_comparisons(const Instance& before) {
+  const double gain = before.searches > 0 ? match.log_odds() - before.match.log_odds() : 0;
   compared_elsewhere = before.compared_elsewhere;
   elsewhere = before.elsewhere;
   others = before.others;
@@ -48,7 +48,7 @@ void Known::take_comparisons(const Known& before) {
     if (best) best->log_odds += gain;
 }
 
-Match Known::judged(const std::vector<std::string>& names, const SearchConfig& config) const {
+Match Instance::judged(const std::vector<std::string>& names, const SearchConfig& config) const {
   Match result = match;
   if (elsewhere) result.competitors.push_back(*elsewhere);
   for (const auto& [name, best] : others)
@@ -83,53 +83,54 @@ bool is_continued(const Match& before, const Match& now, double reach) {
   return before.name == now.name && distance(before, now) <= reach;
 }
 
-const Known* predecessor(const std::vector<Known>& before, const Match& now, double reach) {
-  const Known* nearest = nullptr;
-  for (const auto& known : before) {
-    if (!is_continued(known.match, now, reach)) continue;
-    if (!nearest || distance(known.match, now) < distance(nearest->match, now)) nearest = &known;
+const Instance* predecessor(const std::vector<Instance>& before, const Match& now, double reach) {
+  const Instance* nearest = nullptr;
+  for (const auto& instance : before) {
+    if (!is_continued(instance.match, now, reach)) continue;
+    if (!nearest || distance(instance.match, now) < distance(nearest->match, now))
+      nearest = &instance;
   }
   return nearest;
 }
 
 bool InstanceList::shows(const std::string& name) const {
-  return std::any_of(known_.begin(), known_.end(),
-                     [&](const Known& one) { return one.match.name == name; });
+  return std::any_of(instances_.begin(), instances_.end(),
+                     [&](const Instance& one) { return one.match.name == name; });
 }
 
-Known* InstanceList::admit(Known found, double reach) {
+Instance* InstanceList::admit(Instance found, double reach) {
   const Match& match = found.match;
-  const auto covers = [&](const Known& one) {
+  const auto covers = [&](const Instance& one) {
     return outline_overlap(one.match.outline, match.outline) > max_overlap_;
   };
-  const auto beats = [&](const Known& one) {
+  const auto beats = [&](const Instance& one) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
-  if (std::any_of(known_.begin(), known_.end(), beats)) return nullptr;
+  if (std::any_of(instances_.begin(), instances_.end(), beats)) return nullptr;
   // Log-odds from an earlier image are not comparable.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
       found.others[one.match.name] = competitor_of(match, rival_of(one.match));
-  known_.push_back(std::move(found));
-  return &known_.back();
+  instances_.push_back(std::move(found));
+  return &instances_.back();
 }
 
-void InstanceList::compare(Known& known, const Rival& rival) const {
-  const bool same = known.match.name == rival.name;
-  const bool here = outline_overlap(known.match.outline, rival.outline) > max_overlap_;
+void InstanceList::compare(Instance& instance, const Rival& rival) const {
+  const bool same = instance.match.name == rival.name;
+  const bool here = outline_overlap(instance.match.outline, rival.outline) > max_overlap_;
   if (same ? here || is_explained(rival) : !here) return;
-  std::optional<Competitor>* best = &known.elsewhere;
+  std::optional<Competitor>* best = &instance.elsewhere;
   if (!same) {
-    const auto compared = known.others.find(rival.name);
-    if (compared == known.others.end()) return;
+    const auto compared = instance.others.find(rival.name);
+    if (compared == instance.others.end()) return;
     best = &compared->second;
   }
-  const auto competitor = competitor_of(known.match, rival);
+  const auto competitor = competitor_of(instance.match, rival);
   if (!*best || competitor.log_odds > (*best)->log_odds) *best = competitor;
 }
 
 bool InstanceList::is_explained(const Rival& rival) const {
-  return std::any_of(known_.begin(), known_.end(), [&](const Known& one) {
+  return std::any_of(instances_.begin(), instances_.end(), [&](const Instance& one) {
     return outline_overlap(one.match.outline, rival.outline) > max_overlap_;
   });
 }

@@ -14,7 +14,7 @@
 
 namespace mbncc::incremental_search {
 
-struct Known {
+struct Instance {
   /// Result of the last search at this place; its competitors are only those of the same object
   /// nearby.
   Match match;
@@ -25,14 +25,14 @@ struct Known {
   /// competitor found there; a name that is missing must still be searched for.
   std::map<std::string, std::optional<Competitor>> others;
   bool in_motion = false;  ///< its pixels differed from the reference and were not at rest
-  int looks = 1;           ///< searches since its pixels changed last
+  int searches = 1;        ///< searches since its pixels changed last
 
   cv::Rect box() const;  ///< [px] bounding box of its outline
 
   /// Takes over the comparisons of `before`, the same instance in an earlier search of the same
   /// pixels. Its competitors' log-odds change with its own, so a change of light does not count in
   /// its favour.
-  void take_comparisons(const Known& before);
+  void inherit_comparisons(const Instance& before);
 
   /// The match with its known competitors. Graspable only if it was compared with all of `names`.
   Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
@@ -49,51 +49,52 @@ double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::
 bool is_continued(const Match& before, const Match& now, double reach);
 
 /// The nearest instance of `before` that `now` continues (is_continued()); null if there is none.
-const Known* predecessor(const std::vector<Known>& before, const Match& now, double reach);
+const Instance* predecessor(const std::vector<Instance>& before, const Match& now, double reach);
 
 class InstanceList {
  public:
   /// `max_overlap` is the part [0..1] of the smaller outline by which outlines may overlap.
   explicit InstanceList(double max_overlap) : max_overlap_(max_overlap) {}
 
-  std::vector<Known>& all() { return known_; }
-  const std::vector<Known>& all() const { return known_; }
+  std::vector<Instance>& all() { return instances_; }
+  const std::vector<Instance>& all() const { return instances_; }
 
   bool shows(const std::string& name) const;
 
   /// Removes and returns the instances for which `leaves` holds.
   template <class Predicate>
-  std::vector<Known> take(const Predicate& leaves) {
-    const auto begin = std::stable_partition(known_.begin(), known_.end(),
-                                             [&](const Known& one) { return !leaves(one); });
-    const std::vector<Known> taken(begin, known_.end());
-    known_.erase(begin, known_.end());
+  std::vector<Instance> take(const Predicate& leaves) {
+    const auto begin = std::stable_partition(instances_.begin(), instances_.end(),
+                                             [&](const Instance& one) { return !leaves(one); });
+    const std::vector<Instance> taken(begin, instances_.end());
+    instances_.erase(begin, instances_.end());
     return taken;
   }
 
   /// Adds an instance and removes those it overlaps: weaker ones, which become its competitors, and
   /// its own earlier state within `reach` [px]. Null if a better instance is there. The pointer is
   /// valid until the next change of the list.
-  Known* admit(Known found, double reach);
+  Instance* admit(Instance found, double reach);
 
   /// Compares all instances with the result `found` of a search for object `name`.
   /// `is_covered(box)` tells whether all poses of that object that touch `box` [px] were searched.
   template <class Covered>
   void compare(const std::string& name, const std::vector<Rival>& found,
                const Covered& is_covered) {
-    for (auto& known : known_) {
-      if (known.match.name != name && is_covered(known.box())) known.others.try_emplace(name);
+    for (auto& instance : instances_) {
+      if (instance.match.name != name && is_covered(instance.box()))
+        instance.others.try_emplace(name);
       for (const auto& rival : found)
-        if (rival.name == name) compare(known, rival);
+        if (rival.name == name) compare(instance, rival);
     }
   }
 
  private:
-  void compare(Known& known, const Rival& rival) const;
+  void compare(Instance& instance, const Rival& rival) const;
   bool is_explained(const Rival& rival) const;
 
   double max_overlap_;
-  std::vector<Known> known_;
+  std::vector<Instance> instances_;
 };
 
 }  // namespace mbncc::incremental_search

@@ -20,7 +20,7 @@ double radius_of(const ObjectModel& model) {
 
 }  // namespace
 
-double Sought::reach() const {
+double SearchedObject::reach() const {
   return std::max(kLeastReach, kReachShare * radius);
 }
 
@@ -28,28 +28,28 @@ std::vector<std::string> ObjectSchedule::update(
     std::vector<std::shared_ptr<const ObjectModel>> models) {
   if (models == models_) return {};
   models_ = std::move(models);
-  std::map<std::string, Sought> before = std::exchange(sought_, {});
+  std::map<std::string, SearchedObject> before = std::exchange(objects_, {});
   for (const auto& model : models_) {
     if (!is_wanted(*model)) continue;
     const auto known = before.find(model->name);
     if (known != before.end() && known->second.model == model)
-      sought_.insert(before.extract(known));
+      objects_.insert(before.extract(known));
     else
-      sought_[model->name] = {model, radius_of(*model)};
+      objects_[model->name] = {model, radius_of(*model)};
   }
   std::vector<std::string> gone;
-  for (const auto& [name, sought] : before) gone.push_back(name);
+  for (const auto& [name, object] : before) gone.push_back(name);
   return gone;
 }
 
 bool ObjectSchedule::is_wanted(const ObjectModel& model) const {
-  return model.enabled &&
-         (asked_.empty() || std::find(asked_.begin(), asked_.end(), model.name) != asked_.end());
+  return model.enabled && (requested_.empty() || std::find(requested_.begin(), requested_.end(),
+                                                           model.name) != requested_.end());
 }
 
 std::vector<std::string> ObjectSchedule::names() const {
   std::vector<std::string> names;
-  for (const auto& [name, sought] : sought_) names.push_back(name);
+  for (const auto& [name, object] : objects_) names.push_back(name);
   return names;
 }
 
@@ -61,17 +61,17 @@ double ObjectSchedule::radius(const std::vector<std::string>& names) const {
 
 std::string ObjectSchedule::next_to_sweep() const {
   const auto next =
-      std::min_element(sought_.begin(), sought_.end(), [](const auto& a, const auto& b) {
+      std::min_element(objects_.begin(), objects_.end(), [](const auto& a, const auto& b) {
         return std::make_pair(!a.second.urgent, a.second.swept_at) <
                std::make_pair(!b.second.urgent, b.second.swept_at);
       });
-  return next == sought_.end() ? std::string() : next->first;
+  return next == objects_.end() ? std::string() : next->first;
 }
 
 std::vector<std::string> ObjectSchedule::unavailable() const {
   std::vector<std::string> names;
-  std::copy_if(asked_.begin(), asked_.end(), std::back_inserter(names),
-               [this](const auto& name) { return sought_.count(name) == 0; });
+  std::copy_if(requested_.begin(), requested_.end(), std::back_inserter(names),
+               [this](const auto& name) { return objects_.count(name) == 0; });
   return names;
 }
 

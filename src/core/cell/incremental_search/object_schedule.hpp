@@ -11,7 +11,7 @@
 
 namespace mbncc::incremental_search {
 
-struct Sought {
+struct SearchedObject {
   static constexpr double kNever = -1e18;  ///< [s] before any stamp
 
   std::shared_ptr<const ObjectModel> model;
@@ -27,16 +27,16 @@ struct Sought {
 class ObjectSchedule {
  public:
   /// `names`: as in SearchRequest.
-  explicit ObjectSchedule(std::vector<std::string> names) : asked_(std::move(names)) {}
+  explicit ObjectSchedule(std::vector<std::string> names) : requested_(std::move(names)) {}
 
   /// Updates the objects from a matcher. Returns the names of those that have changed or are no
   /// longer searched for.
   std::vector<std::string> update(std::vector<std::shared_ptr<const ObjectModel>> models);
 
-  const std::map<std::string, Sought>& all() const { return sought_; }
+  const std::map<std::string, SearchedObject>& all() const { return objects_; }
   std::vector<std::string> names() const;
-  Sought& at(const std::string& name) { return sought_.at(name); }
-  const Sought& at(const std::string& name) const { return sought_.at(name); }
+  SearchedObject& at(const std::string& name) { return objects_.at(name); }
+  const SearchedObject& at(const std::string& name) const { return objects_.at(name); }
 
   /// Radius [px] of the largest of these objects.
   double radius(const std::vector<std::string>& names) const;
@@ -51,9 +51,9 @@ class ObjectSchedule {
  private:
   bool is_wanted(const ObjectModel& model) const;
 
-  std::vector<std::string> asked_;
+  std::vector<std::string> requested_;
   std::vector<std::shared_ptr<const ObjectModel>> models_;
-  std::map<std::string, Sought> sought_;
+  std::map<std::string, SearchedObject> objects_;
 };
 
 }  // namespace mbncc::incremental_search

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "imaging/rectangles.hpp"
+
 namespace mbncc::incremental_search {
 namespace {
 
@@ -25,10 +27,6 @@ void shift(SearchResult& result, cv::Point by) {
 }
 
 }  // namespace
-
-cv::Rect grown(const cv::Rect& rect, int by) {
-  return {rect.x - by, rect.y - by, rect.width + 2 * by, rect.height + 2 * by};
-}
 
 SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::string>& names,
                                 double radius, const std::map<std::string, double>& clutter,
@@ -61,7 +59,8 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
 }
 
 cv::Rect RegionSearch::crop_about(const cv::Rect& region, double radius) const {
-  const cv::Rect wanted = grown(region, static_cast<int>(std::ceil(radius)) + kMargin) & whole();
+  const cv::Rect wanted =
+      imaging::grown(region, static_cast<int>(std::ceil(radius)) + kMargin) & whole();
   const cv::Point low(wanted.x / kGrid * kGrid, wanted.y / kGrid * kGrid);
   const cv::Rect crop(low, wanted.br());
   return crop.area() < kMostCrop * whole().area() ? crop : whole();

@@ -45,7 +45,4 @@ class RegionSearch {
   bool budget_exceeded_ = false;
 };
 
-/// `rect` enlarged by `by` [px] on every side.
-cv::Rect grown(const cv::Rect& rect, int by);
-
 }  // namespace mbncc::incremental_search

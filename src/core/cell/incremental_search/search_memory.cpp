@@ -20,24 +20,24 @@ void keep_best(int most, std::vector<Match>& matches) {
 void SearchMemory::forget(const std::string& name) {
   pending.forget(name);
   clutter.erase(name);
-  const auto is_it = [&](const Known& one) { return one.match.name == name; };
-  known.take(is_it);
+  const auto is_it = [&](const Instance& one) { return one.match.name == name; };
+  instances.take(is_it);
   hidden.erase(std::remove_if(hidden.begin(), hidden.end(), is_it), hidden.end());
 }
 
 SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
                        bool budget_exceeded) {
-  const std::vector<std::string> names = memory.sought.names();
+  const std::vector<std::string> names = memory.objects.names();
   SearchResult result;
   for (const auto& name : names)
     if (memory.pending.contains(name))
       result.skipped.push_back(name + ": not yet searched where the image changed");
     else
       result.searched.push_back(name);
-  for (const auto& name : memory.sought.unavailable())
+  for (const auto& name : memory.objects.unavailable())
     result.skipped.push_back(name + ": unknown or disabled");
-  for (const auto& known : memory.known.all())
-    result.matches.push_back(known.judged(names, config));
+  for (const auto& instance : memory.instances.all())
+    result.matches.push_back(instance.judged(names, config));
   const int asked = memory.request.max_instances;
   const int most = asked > 0 ? asked : config.max_instances;
   keep_best(most, result.matches);

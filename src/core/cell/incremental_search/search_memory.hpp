@@ -16,16 +16,16 @@ namespace mbncc::incremental_search {
 
 struct SearchMemory {
   SearchMemory(const SearchRequest& asked, const SearchConfig& config)
-      : request(asked), sought(asked.names), known(config.max_overlap) {}
+      : request(asked), objects(asked.names), instances(config.max_overlap) {}
 
   /// Drops all data of one object, which stays in the schedule.
   void forget(const std::string& name);
 
   SearchRequest request;
   ChangeMap changes;
-  ObjectSchedule sought;
-  InstanceList known;
-  std::vector<Known> hidden;  ///< not found while their places were still changing
+  ObjectSchedule objects;
+  InstanceList instances;
+  std::vector<Instance> hidden;  ///< not found while their places were still changing
   PendingRegions pending;
   std::map<std::string, double> clutter;  ///< by name, SearchResult::clutter of the whole image
   double last_sweep = 0;                  ///< [s] stamp of the last search of the whole image

@@ -50,7 +50,7 @@ SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::M
   const bool anew = !state_ || !state_->serves(request, matcher.config(), image.size());
   if (anew) state_ = std::make_unique<State>(request, matcher.config(), image.size());
   incremental_search::FrameSearch look(state_->memory, config_, matcher, stamp, image);
-  SearchResult result = anew ? look.look_everywhere() : look.look_at_changes();
+  SearchResult result = anew ? look.search_whole_image() : look.search_changes();
   result.search_time = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
 }

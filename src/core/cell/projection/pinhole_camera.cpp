@@ -10,16 +10,17 @@ namespace {
 constexpr double kShortestFocus = 0.1, kLongestFocus = 100;  // in longer sides of the image
 constexpr double kMostAspect = 2;  // largest ratio of the two focal lengths
 // Largest distance of the principal point from the image, as a part of the image's size.
-constexpr double kMostBeside = 0.5;
+constexpr double kFarthestPrincipalPoint = 0.5;
 constexpr double kMatrixTolerance = 1e-6;  // of entries that must be 0 or 1
 
 bool is_nearly(double value, double wanted) {
   return std::abs(value - wanted) <= kMatrixTolerance;
 }
 
-/// Whether the coordinate lies at most kMostBeside of the image's size outside the image.
+/// Whether the coordinate lies at most kFarthestPrincipalPoint of the image's size outside the
+/// image.
 bool is_near(double place, int size) {
-  return place >= -kMostBeside * size && place <= (1 + kMostBeside) * size;
+  return place >= -kFarthestPrincipalPoint * size && place <= (1 + kFarthestPrincipalPoint) * size;
 }
 
 }  // namespace

@@ -9,10 +9,11 @@ namespace mbncc {
 namespace {
 
 constexpr double kSameAngle = to_radians(15);
-constexpr double kTrendFactor = 3;  // standard deviations of a significant trend
-constexpr double kClaims = 2;       // weight of the stated variance, in images
-constexpr double kJumpFactor = 4;   // standard deviations of a significant jump
-constexpr double kMostSurplus = 2;  // largest ratio of scatter to stated variance of a coordinate
+constexpr double kTrendFactor = 3;   // standard deviations of a significant trend
+constexpr double kStatedWeight = 2;  // weight of the stated variance, in images
+constexpr double kJumpFactor = 4;    // standard deviations of a significant jump
+constexpr double kMostVarianceRatio =
+    2;  // largest ratio of scatter to stated variance of a coordinate
 // [px], [px], [rad] Smaller motions are ignored, because the poses of noise-free images do not
 // scatter at all.
 const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));
@@ -29,7 +30,7 @@ cv::Vec3d mean_of(const std::deque<Pose2D>& poses, std::size_t from, std::size_t
 
 /// Sum of squared second differences. A steady motion adds nothing to it; each difference adds on
 /// average six times the variance of a single pose.
-cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
+cv::Vec3d second_differences_of(const std::deque<Pose2D>& poses) {
   cv::Vec3d sum;
   for (std::size_t i = 2; i < poses.size(); ++i) {
     const cv::Vec3d bend =
@@ -41,7 +42,8 @@ cv::Vec3d bends_of(const std::deque<Pose2D>& poses) {
 
 /// Variance of a single pose, estimated from the images.
 cv::Vec3d scatter_of(const std::deque<Pose2D>& poses) {
-  if (poses.size() > 2) return bends_of(poses) / (6.0 * static_cast<double>(poses.size() - 2));
+  if (poses.size() > 2)
+    return second_differences_of(poses) / (6.0 * static_cast<double>(poses.size() - 2));
   const cv::Vec3d step = values_of(poses.back()) - values_of(poses.front());
   return step.mul(step) / 2;
 }
@@ -52,10 +54,10 @@ bool has_trend(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) {
   const std::size_t count = poses.size(), half = count / 2;
   if (half == 0) return false;
   const cv::Vec3d trend = mean_of(poses, count - half, count) - mean_of(poses, 0, half);
-  const cv::Vec3d bends = bends_of(poses);
+  const cv::Vec3d bends = second_differences_of(poses);
   for (int i = 0; i < 3; ++i) {
-    const double variance =
-        (kClaims * covariance(i, i) + bends[i] / 6) / (kClaims + static_cast<double>(count) - 2);
+    const double variance = (kStatedWeight * covariance(i, i) + bends[i] / 6) /
+                            (kStatedWeight + static_cast<double>(count) - 2);
     const double deviation = std::sqrt(2 * variance / static_cast<double>(half));
     if (std::abs(trend[i]) > kLeastTrend[i] + kTrendFactor * deviation) return true;
   }
@@ -76,7 +78,8 @@ bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) 
 double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, double count) {
   double random = 0;
   for (int i = 0; i < 3; ++i)
-    if (covariance(i, i) > 0) random += std::min(kMostSurplus, scatter[i] / covariance(i, i)) / 3;
+    if (covariance(i, i) > 0)
+      random += std::min(kMostVarianceRatio, scatter[i] / covariance(i, i)) / 3;
   return std::max(1 / count, 1 - random * (1 - 1 / count));
 }
 

@@ -12,12 +12,14 @@ namespace mbncc::change {
 namespace {
 
 // All lengths are in pixels of the images at half resolution.
-constexpr int kReach = 8;             // largest displacement of a neighbour
-constexpr int kPatch = 3;             // half the side of the squares that are compared
-constexpr int kStride = 2;            // distance between the squares
-constexpr int kCompany = 7;           // distance within which squares must have moved alike
-constexpr int kFewestAlike = 6;       // least number of squares within kCompany that moved alike
-constexpr double kPartAlike = 0.4;    // least part of the squares within kCompany that moved alike
+constexpr int kReach = 8;              // largest displacement of a neighbour
+constexpr int kPatch = 3;              // half the side of the squares that are compared
+constexpr int kStride = 2;             // distance between the squares
+constexpr int kNeighbourDistance = 7;  // distance within which squares must have moved alike
+constexpr int kFewestAlike =
+    6;  // least number of squares within kNeighbourDistance that moved alike
+constexpr double kPartAlike =
+    0.4;  // least part of the squares within kNeighbourDistance that moved alike
 constexpr float kNoiseFactor = 3;     // mean square explained by noise, in variances
 constexpr float kLeftPart = 0.3F;     // part of a square's contrast that may stay unexplained
 constexpr float kLeastContrast = 40;  // [grey levels^2] least contrast of a recognisable square
@@ -79,11 +81,11 @@ class NeighbourSearch {
   float noise_;
 };
 
-bool in_company(const Motion& motion, const std::vector<Motion>& all) {
+bool moves_with_neighbours(const Motion& motion, const std::vector<Motion>& all) {
   int near = 0, alike = 0;
   for (const auto& other : all) {
     const cv::Point off = other.at - motion.at, by = other.by - motion.by;
-    if (std::max(std::abs(off.x), std::abs(off.y)) > kCompany) continue;
+    if (std::max(std::abs(off.x), std::abs(off.y)) > kNeighbourDistance) continue;
     ++near;
     alike += std::max(std::abs(by.x), std::abs(by.y)) <= 1 && other.by != cv::Point();
   }
@@ -104,7 +106,7 @@ cv::Mat moved_neighbours(const cv::Mat& before, const cv::Mat& after, const cv::
       if (marked.at<uchar>(y, x)) motions.push_back({{x, y}, search.motion_of({x, y})});
   cv::Mat moved = cv::Mat::zeros(b.size(), CV_8UC1), result;
   for (const auto& motion : motions)
-    if (motion.by != cv::Point() && in_company(motion, motions))
+    if (motion.by != cv::Point() && moves_with_neighbours(motion, motions))
       moved(
           cv::Rect(motion.at - cv::Point(kPatch, kPatch), cv::Size(2 * kPatch + 1, 2 * kPatch + 1)))
           .setTo(255);

@@ -15,7 +15,7 @@ constexpr int kLength = 2 * kReach + 1;
 constexpr int kBeside = 5;  // [px] distance beside a line at which its sides are checked
 constexpr float kMost = 3;  // largest log-odds of a pixel
 constexpr int kFrame = kReach + kBeside;
-constexpr int kAtOnce = cv::v_float32x4::nlanes;
+constexpr int kLanes = cv::v_float32x4::nlanes;
 
 cv::Point rounded(double length, double angle) {
   return {static_cast<int>(std::lround(length * std::cos(angle))),
@@ -24,11 +24,11 @@ cv::Point rounded(double length, double angle) {
 
 using Lines = std::array<const float*, kLength>;
 
-// Means of the pixels `begin` .. `end`, at least kAtOnce; the last group overlaps the one before
+// Means of the pixels `begin` .. `end`, at least kLanes; the last group overlaps the one before
 // it.
 void average(const Lines& lines, int begin, int end, float* means) {
-  for (int x = begin; x < end; x += kAtOnce) {
-    const int first = std::min(x, end - kAtOnce);
+  for (int x = begin; x < end; x += kLanes) {
+    const int first = std::min(x, end - kLanes);
     cv::v_float32x4 sum = cv::v_setzero_f32();
     for (const float* line : lines) sum += cv::v_load(line + first);
     cv::v_store(means + first, sum / cv::v_setall_f32(kLength));
@@ -48,7 +48,7 @@ void line_means(const cv::Mat& framed, double angle, cv::Mat& means) {
 
 // Raises the evidence to the means of lines, where both sides of a line are platform (parts) or
 // object (gaps).
-void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
+void update_evidence(const cv::Mat& means, double angle, LineEvidence& best) {
   const cv::Point across = rounded(kBeside, angle + CV_PI / 2);
   const cv::v_float32x4 none = cv::v_setzero_f32();
   for (int y = 0; y < best.parts.rows; ++y) {
@@ -57,8 +57,8 @@ void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
     const auto* right = means.ptr<float>(y + kFrame + across.y) + kFrame + across.x;
     auto* part = best.parts.ptr<float>(y);
     auto* gap = best.gaps.ptr<float>(y);
-    for (int x = 0; x < best.parts.cols; x += kAtOnce) {
-      const int first = std::min(x, best.parts.cols - kAtOnce);
+    for (int x = 0; x < best.parts.cols; x += kLanes) {
+      const int first = std::min(x, best.parts.cols - kLanes);
       const auto mean = cv::v_load(here + first);
       const auto one = cv::v_load(left + first), other = cv::v_load(right + first);
       const auto parts = cv::v_load(part + first), gaps = cv::v_load(gap + first);
@@ -74,8 +74,8 @@ void take_lines(const cv::Mat& means, double angle, LineEvidence& best) {
 
 LineEvidence line_evidence(const cv::Mat& preference) {
   cv::Mat framed;
-  // Narrower images are processed as kAtOnce wide, for which the frame has room.
-  const cv::Size worked(std::max(preference.cols, kAtOnce), preference.rows);
+  // Narrower images are processed as kLanes wide, for which the frame has room.
+  const cv::Size worked(std::max(preference.cols, kLanes), preference.rows);
   LineEvidence best{cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost)),
                     cv::Mat(worked, CV_32FC1, cv::Scalar(-kMost))};
   const cv::Mat clipped = cv::max(cv::min(preference, kMost), -kMost);
@@ -85,7 +85,7 @@ LineEvidence line_evidence(const cv::Mat& preference) {
   for (int i = 0; i < kDirections; ++i) {
     const double angle = i * CV_PI / kDirections;
     line_means(framed, angle, means);
-    take_lines(means, angle, best);
+    update_evidence(means, angle, best);
   }
   return {best.parts.colRange(0, preference.cols), best.gaps.colRange(0, preference.cols)};
 }

@@ -44,7 +44,7 @@ struct Side {
     cv::boxFilter(squares, square, CV_32F, window, {-1, -1}, false, cv::BORDER_CONSTANT);
   }
 
-  bool is_told(int y, int x) const { return count.at<float>(y, x) >= kFewest; }
+  bool is_sampled(int y, int x) const { return count.at<float>(y, x) >= kFewest; }
   cv::Vec3f mean(int y, int x) const {
     return colour.at<cv::Vec3f>(y, x) / std::max(1.F, count.at<float>(y, x));
   }
@@ -77,7 +77,7 @@ RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, con
   for (int y = 0; y < map.rows; ++y)
     for (int x = 0; x < map.cols; ++x) {
       if (inner.at<uchar>(y, x) || !outer.at<uchar>(y, x)) continue;
-      if (!object.is_told(y, x) || !beside.is_told(y, x)) continue;
+      if (!object.is_sampled(y, x) || !beside.is_sampled(y, x)) continue;
       const cv::Vec3f here = before.at<cv::Vec3f>(y, x), object_colour = object.mean(y, x),
                       platform_colour = lit(platform.at<cv::Vec3f>(y, x), predicted.mean(y, x),
                                             beside.mean(y, x));
@@ -93,7 +93,7 @@ RimPreference rim_preference(const cv::Mat& before, const cv::Mat& platform, con
       const float odds =
           (from_platform.dot(from_platform) - from_object.dot(from_object)) / (2 * variance);
       rim.log_odds.at<float>(y, x) = std::clamp(odds, -kHighest, kHighest);
-      rim.told.at<uchar>(y, x) = 255;
+      rim.valid.at<uchar>(y, x) = 255;
     }
   return rim;
 }

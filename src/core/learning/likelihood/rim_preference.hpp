@@ -10,7 +10,7 @@ namespace mbncc::likelihood {
 /// Log-odds of object against background, CV_32FC1 of the images' size.
 struct RimPreference {
   cv::Mat log_odds;
-  cv::Mat told;  ///< CV_8UC1, 255 where both sides have local colours and log_odds is valid
+  cv::Mat valid;  ///< CV_8UC1, 255 where both sides have local colours and log_odds is valid
 };
 
 /// For the pixels within two pixels of the outline of `map` (CV_8UC1). A pixel there may be a

@@ -64,9 +64,9 @@ const Reason& reason_of(const std::string& key) {
 }
 
 // Collects reasons; the worst one determines the verdict.
-class Charges {
+class ReasonCollector {
  public:
-  explicit Charges(Quality& quality) : quality_(quality) {}
+  explicit ReasonCollector(Quality& quality) : quality_(quality) {}
 
   // Adds the reason if `value` is beyond a limit: beyond `bad` it refuses, beyond `marginal` it
   // warns.
@@ -127,41 +127,41 @@ struct OutlineRisk {
   }
 
   // The measure that deviates most from a typical good lesson.
-  const char* main_reason() const {
-    const double unstable = instability - 0.5, weak = weakness - 0.5, spanned = span - 0.7;
-    if (unstable >= weak && unstable >= spanned) return "unstable_cut";
-    return weak >= spanned ? "weak_boundary" : "little_of_region";
+  const char* dominant_reason() const {
+    const double unstable = instability - 0.5, weak = weakness - 0.5, underfilled = span - 0.7;
+    if (unstable >= weak && unstable >= underfilled) return "unstable_cut";
+    return weak >= underfilled ? "weak_boundary" : "little_of_region";
   }
 };
 
-void weigh_evidence(const CutEvidence& evidence, Quality& quality, Charges& charges) {
-  charges.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
-  charges.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
-  charges.above("change_left_out", evidence.change_beside, 0.08, kNever);
-  charges.above("several_left", evidence.second_departure, 0.5, kNever);
+void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollector& reasons) {
+  reasons.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
+  reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
+  reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
+  reasons.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
                                : OutlineRisk::of_one_image(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
-  charges.above(risk.main_reason(), risk.probability(), kGoodRisk, kBadRisk);
+  reasons.above(risk.dominant_reason(), risk.probability(), kGoodRisk, kBadRisk);
   // If the map crosses the region's edge, it is unknown where a shadow would end; an object lies
   // inside the region.
   const bool crosses = evidence.region_touch > kCrossing;
-  charges.above("shadow_like", evidence.shadow_like ? (crosses ? 2 : 1) : 0, 0.5, 1.5);
-  charges.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
+  reasons.above("shadow_like", evidence.shadow_like ? (crosses ? 2 : 1) : 0, 0.5, 1.5);
+  reasons.above("unverified_cut", evidence.verified ? 0 : 1, 0.5, 1);
 }
 
 // A plain surface is no fault while the outline is enough to find the object. Other things that
 // look the same will be found as well, but this is not a fault of the map.
-void weigh_search(const Quality& quality, const SearchConfig& search, Charges& charges) {
-  charges.below(quality.contrast < kPlain ? "low_texture" : "not_found_again", quality.self_score,
+void weigh_search(const Quality& quality, const SearchConfig& search, ReasonCollector& reasons) {
+  reasons.below(quality.contrast < kPlain ? "low_texture" : "not_found_again", quality.self_score,
                 search.confirm_score, search.min_score);
-  if (quality.runner_up > kAlike * quality.self_score) charges.note("not_distinct");
+  if (quality.runner_up > kAlike * quality.self_score) reasons.note("not_distinct");
 }
 
-void note_symmetry(int symmetry, Charges& charges) {
-  if (symmetry == 0) charges.note("round");
-  if (symmetry > 1) charges.note("symmetric_" + std::to_string(360 / symmetry));
+void note_symmetry(int symmetry, ReasonCollector& reasons) {
+  if (symmetry == 0) reasons.note("round");
+  if (symmetry > 1) reasons.note("symmetric_" + std::to_string(360 / symmetry));
 }
 
 }  // namespace
@@ -169,12 +169,12 @@ void note_symmetry(int symmetry, Charges& charges) {
 void decide(Quality& quality, bool touches_border, const std::optional<CutEvidence>& evidence,
             const LearningConfig& config, const SearchConfig& search) {
   quality.verdict = Verdict::kGood;
-  Charges charges(quality);
-  charges.above("touches_image_border", touches_border ? 1 : 0, 0.5, 0.5);
-  charges.below("too_small", quality.area, 2 * config.min_area, config.min_area);
-  weigh_search(quality, search, charges);
-  if (evidence) weigh_evidence(*evidence, quality, charges);
-  note_symmetry(quality.symmetry, charges);
+  ReasonCollector reasons(quality);
+  reasons.above("touches_image_border", touches_border ? 1 : 0, 0.5, 0.5);
+  reasons.below("too_small", quality.area, 2 * config.min_area, config.min_area);
+  weigh_search(quality, search, reasons);
+  if (evidence) weigh_evidence(*evidence, quality, reasons);
+  note_symmetry(quality.symmetry, reasons);
 }
 
 }  // namespace mbncc::quality

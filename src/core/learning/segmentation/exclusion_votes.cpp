@@ -18,7 +18,7 @@ constexpr float kSquaredWidth = 8;    // [grey levels^2] of a sample's kernel
 constexpr float kStrokeShare = 0.2F;  // least weight of the whole stroke, per sample of the rest
 constexpr float kWeight = 3;          // weight of the densities' log-ratio in the unary term
 constexpr float kInside = 4;          // log-odds; pixels inside the map are wrong less often
-constexpr float kLoudest = 10;        // largest log-odds of a vote
+constexpr float kLargestVote = 10;    // largest log-odds of a vote
 
 // Log-odds that another pixel belongs to the structure that a stroke excludes, by logistic
 // regression.
@@ -26,7 +26,7 @@ constexpr float kByAppearance = 0.65F;  // per e-fold of distance, of colours an
 constexpr float kByFewSamples = 0.7F;   // per e-fold: the fewer samples, the farther the nearest
 constexpr float kByUnary = -0.17F;
 constexpr float kHighestUnary = 15;
-constexpr float kSurest = 10;  // largest log-odds, so that no pixel is impossible
+constexpr float kLargestLogOdds = 10;  // largest log-odds, so that no pixel is impossible
 constexpr float kOutermostBias = -1.1F, kInsideBias = -3.5F;
 
 // Colours of a pixel and their change against the image after.
@@ -35,9 +35,9 @@ struct Appearance {
 };
 using Part = cv::Vec3f Appearance::*;
 
-class Looks {
+class AppearanceImages {
  public:
-  explicit Looks(const CutImages& cut) {
+  explicit AppearanceImages(const CutImages& cut) {
     cv::blur(cut.before, colours_, {kBox, kBox});
     cv::blur(cut.before - cut.after, change_, {kBox, kBox});
   }
@@ -106,86 +106,88 @@ float nearness(const Appearance& appearance, const std::vector<Appearance>& one,
   return sum;
 }
 
-// Training sample: an appearance with its weights for the excluded structure (`meant`) and for the
-// object.
-struct Teacher {
+// Training sample: an appearance with its weights for the excluded structure (`excluded_weight`)
+// and for the object.
+struct TrainingSample {
   Appearance appearance;
-  float meant = 0, object = 0;
+  float excluded_weight = 0, object = 0;
 };
 
 // Logarithm of the ratio of the densities of the excluded structure and of the object.
-float log_ratio(const Appearance& appearance, const std::vector<Teacher>& teachers) {
+float log_ratio(const Appearance& appearance, const std::vector<TrainingSample>& samples) {
   constexpr float kLeast = 1e-20F;
   float sum = 0;
   for (const Part part : {&Appearance::colours, &Appearance::change}) {
-    float meant = kLeast, object = kLeast;
-    for (const auto& teacher : teachers) {
-      const cv::Vec3f apart = appearance.*part - teacher.appearance.*part;
+    float excluded_weight = kLeast, object = kLeast;
+    for (const auto& sample : samples) {
+      const cv::Vec3f apart = appearance.*part - sample.appearance.*part;
       const float inverse = 1 / (kSquaredWidth + apart.dot(apart));
       const float density = inverse * inverse * inverse;
-      meant += teacher.meant * density;
-      object += teacher.object * density;
+      excluded_weight += sample.excluded_weight * density;
+      object += sample.object * density;
     }
-    sum += std::log(meant / object);
+    sum += std::log(excluded_weight / object);
   }
   return sum;
 }
 
-void normalize(std::vector<Teacher>& teachers) {
-  float meant = 0, object = 0;
-  for (const auto& teacher : teachers) {
-    meant += teacher.meant;
-    object += teacher.object;
+void normalize(std::vector<TrainingSample>& samples) {
+  float excluded_weight = 0, object = 0;
+  for (const auto& sample : samples) {
+    excluded_weight += sample.excluded_weight;
+    object += sample.object;
   }
-  for (auto& teacher : teachers) {
-    teacher.meant /= meant;
-    teacher.object /= object;
+  for (auto& sample : samples) {
+    sample.excluded_weight /= excluded_weight;
+    sample.object /= object;
   }
 }
 
 // Training samples: the stroke's pixels, and others with their estimated class. At first only the
 // more certain half of the others represents the object, because the rest may be wrong for the same
 // reason as the excluded pixels.
-std::vector<Teacher> find_teachers(const CutImages& cut, const Looks& appearances,
-                                   const cv::Mat& excluded, const cv::Mat& inside) {
+std::vector<TrainingSample> draw_training_samples(const CutImages& cut,
+                                                  const AppearanceImages& appearances,
+                                                  const cv::Mat& excluded, const cv::Mat& inside) {
   const cv::Mat rest = cut.map & ~excluded;
   const auto stroke = appearances.at(some_of(excluded, kMostSamples));
   const auto object = appearances.at(some_of(surer_half(rest, cut.unary), kMostSamples));
   if (stroke.empty() || object.empty()) return {};
   const auto pixels = some_of(rest, kRestSamples);
   const float share = static_cast<float>(object.size()) / static_cast<float>(stroke.size());
-  std::vector<Teacher> teachers;
+  std::vector<TrainingSample> samples;
   for (const auto& pixel : pixels) {
     const Appearance appearance = appearances.at(pixel);
     const float unary = std::clamp(cut.unary.at<float>(pixel), -kHighestUnary, kHighestUnary);
     const float log_odds = kByAppearance * nearness(appearance, stroke, object) +
                            kByFewSamples * std::log(share) + kByUnary * unary +
                            (inside.at<uchar>(pixel) ? kInsideBias : kOutermostBias);
-    const float meant = 1 / (1 + std::exp(-std::clamp(log_odds, -kSurest, kSurest)));
-    teachers.push_back({appearance, meant, (1 - meant) * (1 - meant)});
+    const float excluded_weight =
+        1 / (1 + std::exp(-std::clamp(log_odds, -kLargestLogOdds, kLargestLogOdds)));
+    samples.push_back({appearance, excluded_weight, (1 - excluded_weight) * (1 - excluded_weight)});
   }
   const float drawn =
       kStrokeShare * static_cast<float>(pixels.size()) / static_cast<float>(stroke.size());
-  for (const auto& appearance : stroke) teachers.push_back({appearance, std::max(1.F, drawn), 0});
-  normalize(teachers);
-  return teachers;
+  for (const auto& appearance : stroke) samples.push_back({appearance, std::max(1.F, drawn), 0});
+  normalize(samples);
+  return samples;
 }
 
 }  // namespace
 
 cv::Mat exclusion_votes(const CutImages& cut, const cv::Mat& excluded) {
   cv::Mat votes = cv::Mat::zeros(cut.map.size(), CV_32FC1);
-  const Looks appearances(cut);
+  const AppearanceImages appearances(cut);
   const cv::Mat inside = inside_of(cut.map);
-  const auto teachers = find_teachers(cut, appearances, excluded, inside);
-  if (teachers.empty()) return votes;
+  const auto samples = draw_training_samples(cut, appearances, excluded, inside);
+  if (samples.empty()) return votes;
   const cv::Mat rest = cut.map & ~excluded;
   for (int y = 0; y < rest.rows; ++y)
     for (int x = 0; x < rest.cols; ++x) {
       if (!rest.at<uchar>(y, x)) continue;
-      const float vote = kWeight * log_ratio(appearances.at(cv::Point(x, y)), teachers) -
+      const float vote = kWeight * log_ratio(appearances.at(cv::Point(x, y)), samples) -
                          (inside.at<uchar>(y, x) ? kInside : 0);
-      votes.at<float>(y, x) = std::clamp(vote, -kLoudest, kLoudest);
+      votes.at<float>(y, x) = std::clamp(vote, -kLargestVote, kLargestVote);
     }
   return votes;
 }

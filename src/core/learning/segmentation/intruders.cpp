@@ -16,8 +16,8 @@ namespace {
 constexpr double kDepartureScore = 1.5;  // from this score on, something left rather than arrived
 constexpr int kFewestPixels = 20;        // least pixels of an entry patch
 constexpr float kAnyColour = 0.02F;      // part of an intruder's pixels in colours not seen outside
-constexpr float kColourVoice = 6;        // largest log-odds from the colour after
-constexpr float kPlatformLogOdds = 2;    // largest log-odds from a similarity to the platform
+constexpr float kHighestColourLogOdds = 6;  // largest log-odds from the colour after
+constexpr float kPlatformLogOdds = 2;       // largest log-odds from a similarity to the platform
 constexpr float kPlatformWeight = 0.5F;
 constexpr float kCertain = 30;  // unary of certain pixels
 
@@ -73,9 +73,10 @@ cv::Mat find_intruders(const cv::Mat& before, const cv::Mat& after, const cv::Ma
   const change::ColourMixture arrived = change::ColourMixture::fit(after, seeds);
   if (arrived.empty() || platform.empty()) return cv::Mat::zeros(entry.size(), CV_8UC1);
   const cv::Mat platform_after = log_density(platform, after, 1e-4F);
-  cv::Mat unary = bounded(log_density(arrived, after, kAnyColour) - platform_after, kColourVoice) +
-                  bounded(kPlatformWeight * (log_density(platform, before, 1e-4F) - platform_after),
-                          kPlatformLogOdds);
+  cv::Mat unary =
+      bounded(log_density(arrived, after, kAnyColour) - platform_after, kHighestColourLogOdds) +
+      bounded(kPlatformWeight * (log_density(platform, before, 1e-4F) - platform_after),
+              kPlatformLogOdds);
   cv::Mat reach;
   cv::dilate(changed, reach, cv::Mat());
   unary.setTo(-kCertain, ~reach);

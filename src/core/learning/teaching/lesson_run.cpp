@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
 constexpr double kCutOff = 0.1;    // part of an outline on the edge of a region that cuts it off
-constexpr double kDoubted = 0.2;   // change outside the region above which a map is not GOOD
+constexpr double kDoubtfulChange = 0.2;  // change outside the region above which a map is not GOOD
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
@@ -37,7 +37,7 @@ class LessonRun {
 
   void learn() {
     check_lesson(lesson_);
-    if (is_shown_by_change_alone()) {
+    if (has_change_only()) {
       find_place();
     } else {
       acquire_map();
@@ -60,7 +60,7 @@ class LessonRun {
   void acquire_map() {
     state_.cut = cutter_.acquire_map();
     keep_changed();
-    look_for_put_aside();
+    search_put_aside();
   }
 
   void keep_changed() {
@@ -76,7 +76,7 @@ class LessonRun {
   }
 
   // An object put aside within the view is visible again, which gives a second estimate of the map.
-  void look_for_put_aside() {
+  void search_put_aside() {
     state_.new_place.reset();
     if (!state_.cut->cut_with) return;
     const StepTimer timer(result_.timings_ms, "put_aside");
@@ -92,7 +92,7 @@ class LessonRun {
                           search_);
   }
 
-  bool is_shown_by_change_alone() const {
+  bool has_change_only() const {
     return is_without_place(lesson_) && lesson_.map.empty() && lesson_.outline.empty();
   }
 
@@ -101,22 +101,22 @@ class LessonRun {
   void find_place() {
     cutter_.mark_region();
     keep_changed();
-    state_.cut = cutter_.segment_if_possible(Room::kMayGrow);
+    state_.cut = cutter_.segment_if_possible(Growth::kMayGrow);
     if (state_.cut && !state_.cut->cut_with) return;
-    if (state_.cut) look_for_put_aside();
+    if (state_.cut) search_put_aside();
     if (state_.new_place || reconsider_place()) return;
     if (!state_.cut)
-      state_.cut = cutter_.segment(Room::kMayGrow);  // throws the reason why there is none
-    doubt_place(*state_.cut);
+      state_.cut = cutter_.segment(Growth::kMayGrow);  // throws the reason why there is none
+    lower_confidence(*state_.cut);
   }
 
   // One part of a map may be the place where the object was put down, and if several objects left,
   // another one may be meant.
-  void doubt_place(Segmentation& cut) const {
+  void lower_confidence(Segmentation& cut) const {
     if (!cut.evidence) return;
     cut.evidence->second_departure = cutter_.second_departure();
     if (!large_parts(cut.map).empty())
-      cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubted);
+      cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubtfulChange);
   }
 
   bool reconsider_place() {
@@ -124,16 +124,16 @@ class LessonRun {
     const cv::Mat& tried = state_.cut ? state_.cut->map : first.approximate;
     const StepTimer timer(result_.timings_ms, "put_aside");
     for (const cv::Rect& place : large_parts(tried))
-      if (left_from(place, Room::kStays)) return true;
+      if (learn_departure_at(place, Growth::kFixed)) return true;
     for (const cv::Rect& place : places_elsewhere(cutter_.surveyed(), tried))
-      if (left_from(place, Room::kMayGrow)) return true;
+      if (learn_departure_at(place, Growth::kMayGrow)) return true;
     cutter_.set_task(first);
     return false;
   }
 
   // Learns the object at `place` if it left from there and is found elsewhere now.
-  bool left_from(const cv::Rect& place, Room room) {
-    cutter_.look_at(place);
+  bool learn_departure_at(const cv::Rect& place, Growth room) {
+    cutter_.set_place(place);
     const std::optional<Segmentation> other = cutter_.segment_if_possible(room);
     if (!other || !other->cut_with) return false;
     make_model(other->map);

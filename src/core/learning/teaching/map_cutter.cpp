@@ -75,7 +75,7 @@ Segmentation MapCutter::acquire_map() {
   }
   if (!lesson_.outline.empty() && config_.method == "auto") return accept(outline_map(lesson_));
   mark_region();
-  return segment(Room::kMayGrow);
+  return segment(Growth::kMayGrow);
 }
 
 Segmentation MapCutter::accept(const cv::Mat& map) {
@@ -96,17 +96,17 @@ void MapCutter::mark_region() {
                    [&] { return tinted(task_.before, task_.approximate, task_.region); });
 }
 
-void MapCutter::look_at(const cv::Rect& place) {
+void MapCutter::set_place(const cv::Rect& place) {
   task_.region = place;
   task_.changed = surveyed_;
 }
 
-Segmentation MapCutter::segment(Room room) {
+Segmentation MapCutter::segment(Growth room) {
   return lesson_.click ? segment_clicked(room) : segment_region(room);
 }
 
-Segmentation MapCutter::segment_region(Room room) {
-  const cv::Rect wider = room == Room::kMayGrow ? wider_region() : task_.region;
+Segmentation MapCutter::segment_region(Growth room) {
+  const cv::Rect wider = room == Growth::kMayGrow ? wider_region() : task_.region;
   if (wider == task_.region) return segment_once();
   const cv::Rect first = task_.region;
   const bool drawn = lesson_.region != cv::Rect() && first == usable_region(lesson_);
@@ -121,15 +121,15 @@ Segmentation MapCutter::segment_region(Room room) {
 }
 
 // For a click in one image, stability includes that the map does not depend on the region's size.
-Segmentation MapCutter::clicked_alone() {
+Segmentation MapCutter::segment_clicked_piece() {
   Segmentation found = clicked(segment_once());
   if (found.evidence) found.evidence->stability = std::min(found.evidence->stability, agreement_);
   return found;
 }
 
 // Where the platform changed as well, the change around a click contains more than the object.
-Segmentation MapCutter::segment_clicked(Room room) {
-  if (task_.after.empty()) return clicked_alone();
+Segmentation MapCutter::segment_clicked(Growth room) {
+  if (task_.after.empty()) return segment_clicked_piece();
   try {
     const Segmentation found = clicked(segment_region(room));
     return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
@@ -170,7 +170,7 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   return alone;
 }
 
-std::optional<Segmentation> MapCutter::segment_if_possible(Room room) {
+std::optional<Segmentation> MapCutter::segment_if_possible(Growth room) {
   return if_possible([&] { return segment(room); });
 }
 

@@ -16,7 +16,7 @@
 namespace mbncc::teaching {
 
 /// Whether the region may grow if the map touches its edge.
-enum class Room { kStays, kMayGrow };
+enum class Growth { kFixed, kMayGrow };
 
 /// Steps of one lesson that passed check_lesson(). Keeps a reference to the lesson, whose region
 /// may change. Throws LessonEnded if there is no map, unless stated otherwise.
@@ -33,12 +33,12 @@ class MapCutter {
   void mark_region();
 
   /// Restricts the following cuts to `place` [px], where something changed.
-  void look_at(const cv::Rect& place);
+  void set_place(const cv::Rect& place);
 
-  Segmentation segment(Room room);
+  Segmentation segment(Growth room);
 
   /// None if segment() reports that there is no map; throws only LessonEnded(kCancelled).
-  std::optional<Segmentation> segment_if_possible(Room room);
+  std::optional<Segmentation> segment_if_possible(Growth room);
 
   /// Cuts again from `cut`, with the strokes as constraints.
   Segmentation cut_again(const Segmentation& cut, const Marks& marks);
@@ -55,10 +55,10 @@ class MapCutter {
   Segmentation segment_once();
   Segmentation segment_unless_touching(double largest_touch);
   Segmentation checked(const Segmentation& found);
-  Segmentation segment_region(Room room);
-  Segmentation segment_clicked(Room room);
+  Segmentation segment_region(Growth room);
+  Segmentation segment_clicked(Growth room);
   std::optional<Segmentation> segment_square();
-  Segmentation clicked_alone();
+  Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);
   cv::Rect widest_region() const;
   cv::Rect wider_region() const;

@@ -89,7 +89,7 @@ class PutAsideSearch {
     matcher_.set_objects({centred}, true);
   }
 
-  std::optional<NewPlace> look(const cv::Mat& after, const cv::Rect& place, const ChangeCut& cut) {
+  std::optional<NewPlace> find(const cv::Mat& after, const cv::Rect& place, const ChangeCut& cut) {
     SearchRequest request;
     request.roi = place;
     request.max_instances = 3;
@@ -124,12 +124,12 @@ class PutAsideSearch {
   Matcher matcher_;
 };
 
-std::optional<NewPlace> look_at(const cv::Rect& place, const SegmentationTask& task,
-                                const cv::Mat& changed, const LearningConfig& config,
-                                PutAsideSearch& put_aside) {
+std::optional<NewPlace> find_after_cut(const cv::Rect& place, const SegmentationTask& task,
+                                       const cv::Mat& changed, const LearningConfig& config,
+                                       PutAsideSearch& put_aside) {
   const ChangeCut cut =
       change_cut(task.after, task.before, place, changed, config.iterations, config.max_shift);
-  return cut.cut_with ? put_aside.look(task.after, place, cut) : std::nullopt;
+  return cut.cut_with ? put_aside.find(task.after, place, cut) : std::nullopt;
 }
 
 // Patches of `changed` that do not touch the map and have at least `least_part` of its area, with
@@ -167,7 +167,7 @@ std::optional<NewPlace> find_put_aside(const ObjectModel& object, const cv::Mat&
   if (places.empty()) return std::nullopt;
   PutAsideSearch put_aside(object, map, search);
   for (const Place& place : places)
-    if (auto found = look_at(place.box, task, changed, config, put_aside)) return found;
+    if (auto found = find_after_cut(place.box, task, changed, config, put_aside)) return found;
   return std::nullopt;
 }
 
