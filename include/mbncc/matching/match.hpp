@@ -17,13 +17,13 @@ namespace mbncc {
 struct Competitor {
   std::string name;
   cv::Point2d position;  ///< [px] of its reference point
-  double log_odds = 0;   ///< on the scale of the competing match
+  double log_odds = 0;   ///< comparable with Match::log_odds() of the match
 };
 
 /// A reason against grasping a match.
 struct Doubt {
   bool ambiguous =
-      false;  ///< another pose may be the right one; otherwise this one is too uncertain
+      false;  ///< true: another pose may be the right one; false: this pose is too uncertain
   std::string text;
 };
 
@@ -33,26 +33,27 @@ struct Match {
   std::uint32_t revision = 0;
   Pose2D pose;  ///< [px],[rad] object frame: reference point and direction
   double scale =
-      1;  ///< relative to the learning image; the searched one unless another is significant
+      1;  ///< relative to the learning image; the searched scale unless another is significant
   cv::Matx33d covariance;  ///< of pose: x, y, theta [px^2, px rad, rad^2]; 100 px and a full turn
                            ///< if the pose is too unlikely to be measured
   double score = 0;        ///< [0..1] acceptance score
-  LogOdds odds;            ///< that the object lies here
+  LogOdds odds;            ///< that the object lies at the pose
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
-  /// The best other place of the same object that is no reported instance, and the best other
-  /// object here.
+  /// The best place of the same object that is not a reported instance, and the best other object
+  /// at this place.
   std::vector<Competitor> competitors;
-  /// Log-odds to the best competitor; 20: none was found.
+  /// Log-odds of this match minus those of its best competitor; 20: none was found.
   double margin_place = 0;
-  /// Log-odds to the best other angle here (more than 10 degrees off, symmetry aside).
+  /// Log-odds of this match minus those of the best other angle at this place (more than 10 degrees
+  /// away, modulo the symmetry); 20: none was found.
   double margin_angle = 0;
-  std::optional<double> other_angle;  ///< [rad] of the object frame there; empty: none was found
+  std::optional<double> other_angle;  ///< [rad] object frame at that angle; empty: none
   double visible = 1;                 ///< [0..1] part of the map inside the image
   int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
-  std::vector<Doubt> doubts;          ///< for this pose, without competitors
+  std::vector<Doubt> doubts;          ///< reasons against grasping apart from competitors
   /// All conditions for a grasp hold in this image: score, margins, visible part, standard
-  /// deviations, colours of parts, edges inside the outline, size, the fit of the outline
-  /// elsewhere, mirrored or torn, and a probability of .98.
+  /// deviations, colours of parts, edges inside the outline, size, no better fit of the outline
+  /// nearby, mirrored or torn, and a probability of at least .98.
   bool graspable = false;
   bool ambiguous = false;  ///< the score suffices, but another pose or object may be there
   std::vector<std::string> reasons;  ///< why it is not graspable; empty if it is
@@ -62,12 +63,12 @@ struct Match {
   double log_odds() const { return odds.total(); }
 };
 
-/// A candidate that was considered and not reported.
+/// A candidate that was considered but not reported.
 struct Rival {
   std::string name;
   cv::Point2d position;              ///< [px] of its reference point
   LogOdds odds;                      ///< without calibration
-  std::vector<cv::Point2f> outline;  ///< [px] as of Match
+  std::vector<cv::Point2f> outline;  ///< [px] see Match::outline
 
   double log_odds() const { return odds.uncalibrated(); }
 };

@@ -21,15 +21,15 @@ struct SearchRequest {
   cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole image
   double min_score = -1;
   int max_instances = 0;
-  /// Number of objects of the whole search if this request is a part of it, with objects searched
+  /// Total number of objects if this request is part of a larger search whose objects are searched
   /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;
-  /// For a search of a part of an image, by name: the least log-odds subtracted from scores, from
-  /// SearchResult::clutter of the whole image, and the uncalibrated log-odds of the best instance
-  /// outside the part.
+  /// For a search in part of an image, by object name. `clutter`: least log-odds to subtract from
+  /// scores, taken from SearchResult::clutter of the whole image. `elsewhere`: uncalibrated
+  /// log-odds of the best instance outside the part.
   std::map<std::string, double> clutter, elsewhere;
-  /// Instances of other objects in the image: requested objects of similar size are always
-  /// verified there as well.
+  /// Instances of other objects in the image. Requested objects of similar size are also verified
+  /// at these places.
   std::vector<Footprint> occupied;
 };
 
@@ -40,9 +40,9 @@ struct SearchResult {
   std::vector<std::string> limited;   ///< names with max_instances matches; there may be more
   std::vector<Rival> rivals;          ///< all candidates that are not among the matches
   std::map<std::string, double>
-      clutter;  ///< by name: log-odds subtracted from scores for look-alikes elsewhere
+      clutter;  ///< by name: log-odds subtracted from scores because of look-alikes elsewhere
   bool budget_exceeded = false;
-  double search_time = 0;  ///< [s] wall time without preparation of objects
+  double search_time = 0;  ///< [s] wall time, without preparation of objects
 };
 
 /// The names with `most` matches; none if only the best match is requested.
@@ -50,7 +50,7 @@ std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int m
 
 /// Searches images for a set of objects. A learned point p appears at
 /// (x, y) + R(theta - reference.theta) scale (p - reference).
-/// find() is const and may run in several threads; the setters must not run beside it.
+/// find() may run in several threads at once; the setters must not run concurrently with it.
 class Matcher {
  public:
   explicit Matcher(SearchConfig config = {});
@@ -61,10 +61,11 @@ class Matcher {
   const SearchConfig& config() const;
 
   /// Replaces the objects. Unchanged ones (same pointer) keep their prepared templates; the others
-  /// are prepared here, in some milliseconds each. If that fails, for example for lack of memory,
-  /// the object is not searched (see unsearchable()); the others are. Throws std::invalid_argument,
-  /// with the objects as before, if a model violates the rules of object_model.hpp.
-  /// `for_one_search`: data that only some searches need is computed in find().
+  /// are prepared here, which takes a few milliseconds each. If that fails, for example for lack of
+  /// memory, the object is not searched (see unsearchable()); the others are. Throws
+  /// std::invalid_argument and keeps the previous objects if a model violates the rules of
+  /// object_model.hpp. If `for_one_search`, data that only some searches need is computed in
+  /// find().
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
                    bool for_one_search = false);
 
@@ -77,14 +78,14 @@ class Matcher {
   /// Changes config().min_score [0..1] and config().max_instances (>= 1).
   void set_limits(double min_score, int max_instances);
 
-  /// `image` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; else std::invalid_argument.
-  /// A requested name that is unknown or disabled is listed in `skipped`, and so is an object that
-  /// cannot be prepared.
+  /// `image` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; otherwise throws
+  /// std::invalid_argument. Requested names that are unknown or disabled and objects that cannot be
+  /// prepared are listed in `skipped`.
   SearchResult find(const cv::Mat& image, const SearchRequest& request = {}) const;
 
-  /// CV_32FC1 of the image's size, 0 .. 1: at each place the largest similarity of any requested
-  /// object over all rotations, in the coarse search, for display. Objects that are searched only
-  /// by their contours have none.
+  /// For display: CV_32FC1 of the image's size with, at each place, the largest similarity [0..1]
+  /// in the coarse search over all requested objects and rotations. Objects that are searched only
+  /// by their contours do not contribute.
   cv::Mat score_map(const cv::Mat& image, const SearchRequest& request = {}) const;
 
  private:

@@ -11,7 +11,7 @@
 
 namespace mbncc {
 
-/// The first of Match::reasons on its own line, without numbers; "" if there is none.
+/// The first of `reasons` without its details, after a line break; "" if there are none.
 std::string brief_reason(const std::vector<std::string>& reasons);
 
 /// Outline, axes and "name score": blue when graspable, orange and "ambiguous" with the

@@ -14,14 +14,14 @@ namespace mbncc {
 
 /// The template pixels that are correlated.
 enum class PolarRegion {
-  kMap,       ///< the map's: MB-NCC
+  kMap,       ///< the pixels of the map: MB-NCC
   kIncircle,  ///< the largest disc inside the map: PP-NCC, omits object pixels
   kExcircle,  ///< the smallest disc around the map: PP-NCC, includes background pixels
 };
 
 /// A position and rotation of the view with its similarity.
 struct PolarPose {
-  Pose2D pose;            ///< [px],[rad] of the region's centre, relative to the learning image
+  Pose2D pose;            ///< [px],[rad] region's centre; rotation relative to the learning image
   double similarity = 0;  ///< [-1..1]
 };
 

@@ -6,7 +6,7 @@
 
 namespace mbncc {
 
-/// Both count the equal angles in a turn: 1 none, 2, 3, 4 ..., 0 round.
+/// Numbers of equivalent angles in a full turn: 1 none, 2, 3, 4 ..., 0 round.
 struct MeasuredSymmetry {
   int certain = 1;   ///< outline and surface repeat within noise and shading
   int possible = 1;  ///< what an operator may declare: outline and surface nearly repeat, or the

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Clutter: similarity of the rest of the image to the object.
+// Clutter: places elsewhere in the image that resemble the object.
 #pragma once
 
 #include <map>
@@ -10,19 +10,20 @@
 
 namespace mbncc::decision {
 
-/// [radii] Nearer detections are of one place.
+/// [radii] Detections closer than this are at the same place.
 constexpr double kSamePlace = 0.7;
 
 /// Lowers the log-odds of every object's detections by its clutter penalty: if several places
-/// nearly match the object, each of them is less likely to be right. A single place or several
-/// certain instances lose nothing; order and margins do not change. `least`: least penalty by name.
-/// `rarity`: additional penalty of all, see multiple_testing_penalty(). Returns the penalties.
+/// nearly match the object, each of them is less likely to be right. Single places and several
+/// certain instances are not penalised. The order and margins of one object's detections do not
+/// change. `least`: least penalty by name. `rarity`: additional penalty of all objects, see
+/// multiple_testing_penalty(). Returns the penalties by name.
 std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& detections,
                                                     const std::map<std::string, double>& least = {},
                                                     double rarity = 0);
 
-/// Log-odds penalty of every object if `count` objects are searched in one image: more objects
-/// mean more chance matches, and few of the objects are present.
+/// Log-odds penalty of every object if `count` objects are searched in one image, because more
+/// objects mean more chance matches and few of them are present.
 double multiple_testing_penalty(std::size_t count);
 
 }  // namespace mbncc::decision

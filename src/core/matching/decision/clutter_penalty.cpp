@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kPlaces = 3;  // number of places used
 constexpr double kWeight = 0.85;
 constexpr double kNothing = -6, kObvious = 5;  // log-odds: bounds of a place's contribution
-constexpr double kInstance = 8;  // log-odds from which on a place is an instance, not clutter
+constexpr double kInstance = 8;  // log-odds above which a place is an instance, not clutter
 
 /// Contribution of a place of log-odds `odds` to the clutter; less if it is probably another
 /// instance.

@@ -11,10 +11,10 @@
 namespace mbncc::decision {
 namespace {
 
-constexpr double kForeignColour = 0.2;  // chroma difference of a foreign part
-constexpr double kOtherPrint = 1.2;     // difference of the edges inside the outline
-constexpr double kContradicts = 0.05;   // [agreement] advantage of another place over the pose
-constexpr double kConvincing = 4;       // calibrated log-odds
+constexpr double kForeignColour = 0.2;  // largest chroma difference of a part
+constexpr double kOtherPrint = 1.2;     // largest InteriorDifference::largest
+constexpr double kContradicts = 0.05;   // [agreement] largest advantage of a nearby place
+constexpr double kConvincing = 4;       // least calibrated log-odds
 
 std::string number(double value, int digits) {
   std::ostringstream text;
@@ -43,7 +43,7 @@ std::string other_angle_of(const Match& match) {
   return " to " + number(to_degrees(wrap_angle(*match.other_angle)), 0) + " degrees";
 }
 
-/// The one with the highest log-odds; null: none.
+/// The competitor with the highest log-odds; null: none.
 const Competitor* best_of(const std::vector<Competitor>& competitors) {
   const auto best = std::max_element(
       competitors.begin(), competitors.end(),

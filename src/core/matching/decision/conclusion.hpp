@@ -10,12 +10,12 @@
 
 namespace mbncc::decision {
 
-/// Reasons against grasping `match`, found as `detection`, without competitors. `cautious`: the
-/// covariance used for the grasp conditions.
+/// Reasons against grasping `match`, which was made from `detection`, apart from its competitors.
+/// `cautious`: covariance of the pose used for the grasp conditions.
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
                                 const cv::Matx33d& cautious, const SearchConfig& config);
 
-/// Sets margin_place, graspable, ambiguous and reasons by score, competitors and doubts.
+/// Sets margin_place, graspable, ambiguous and reasons from score, competitors and doubts.
 void conclude(Match& match, const SearchConfig& config);
 
 }  // namespace mbncc::decision

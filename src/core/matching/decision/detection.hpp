@@ -13,38 +13,39 @@
 
 namespace mbncc::decision {
 
-/// Beyond any advantage_elsewhere(): for a detection whose outline was not tested at other places,
-/// because its score is low or it is not the best at its place.
+/// Detection::contour_alternative of a detection whose outline was not tested at other places,
+/// because its score is low or it is not the best at its place. Larger than any
+/// advantage_elsewhere().
 constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
 struct Detection {
   const ObjectModel* object = nullptr;
-  const templates::ViewFrame* view = nullptr;  ///< in which it was found
-  std::size_t view_number = 0;                 ///< of the prepared object's views
-  Pose2D pose;                                 ///< of the anchor [px]
-  double scale = 1;                            ///< of the detection, relative to the view
+  const templates::ViewFrame* view = nullptr;  ///< the view that was found
+  std::size_t view_number = 0;                 ///< index in PreparedObject::views
+  Pose2D pose;                                 ///< of the view's anchor [px],[rad]
+  double scale = 1;                            ///< of the object, relative to the view
   cv::Matx33d covariance;                      ///< of pose
-  cv::Matx33d cautious;                        ///< the same for the grasp conditions, see Refined
-  LogOdds odds;                                ///< that the object lies here
+  cv::Matx33d cautious;                        ///< covariance for the grasp conditions, see Refined
+  LogOdds odds;                                ///< that the object lies at the pose
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]
-  double colour_difference = 0;                ///< [0..2] see ColourDifference, the larger one
-  bool size_alternative = false;               ///< its size is not as of heights and tilts
-  bool mirror_alternative = false;             ///< its mirrored outline fits better
+  double colour_difference = 0;                ///< [0..2] larger member of ColourDifference
+  bool size_alternative = false;    ///< a size fits that heights and tilts do not explain
+  bool mirror_alternative = false;  ///< its mirrored outline fits better
   /// See InteriorDifference::largest; compared when the pose is refined.
   double interior_difference = std::numeric_limits<double>::infinity();
   bool torn = false;                          ///< rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
-  double rotation_odds = 0;                   ///< against other rotations here, see rotation_odds()
-  std::size_t number = 0;                     ///< index among the poses verified together
+  double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()
+  std::size_t number = 0;    ///< index among the poses verified together
 
-  /// Without calibration.
+  /// Log-odds without calibration.
   double log_odds() const { return odds.uncalibrated(); }
 };
 
-/// Rotations at one place compete if their log-odds are within this of the best one. What another
-/// print costs does not count here, since gloss may be at its place at a wrong rotation alone.
+/// Rotations at one place compete if their log-odds are at most this far below the best. Their
+/// print penalty does not count, because gloss may cause it at one rotation and not at another.
 constexpr double kComparable = 8;
 
 /// Whether two detections are at one place.

@@ -8,7 +8,7 @@ namespace {
 
 constexpr double kOtherAngle = to_radians(10);
 
-/// Of the object's frame, which its views share.
+/// Angle [rad] of the object frame, which all views of the object share.
 double object_angle(const Detection& detection) {
   return detection.pose.theta + detection.view->reference_in_anchor.theta;
 }
@@ -18,7 +18,7 @@ bool same_object(const Detection& a, const Detection& b) {
 }
 
 /// The best detection other than `detection` for which `competes` holds; null: none. `competes` is
-/// called only where needed.
+/// called only for detections that are better than the best one so far.
 template <class Predicate>
 const Detection* best_competitor(const Detection& detection, const std::vector<Detection>& all,
                                  Predicate&& competes) {

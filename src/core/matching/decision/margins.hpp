@@ -10,26 +10,26 @@
 
 namespace mbncc::decision {
 
-/// [log-odds] Margin without a competitor.
+/// [log-odds] Margin if there is no competitor; also the largest margin.
 constexpr double kNoCompetitor = 20;
 
-/// Of `other` as a competitor.
+/// Log-odds of `other` as a competitor of `detection`, see LogOdds::of_competitor().
 double log_odds_against(const Detection& detection, const Detection& other);
 
-/// Whether two detections overlap by more than this part of the smaller map.
+/// Whether two detections overlap by more than `most` [0..1] of the smaller map.
 bool overlapping(const Detection& a, const Detection& b, double most);
 
 /// The best other rotation of the same object at the detection's place; null: none.
 const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all,
                                  double max_overlap);
 
-/// Margin to the best other rotation of the same object at the detection's place, negative where
-/// that one is better.
+/// Margin to the best other rotation of the same object at the detection's place, negative if that
+/// rotation is better.
 double angle_margin(const Detection& detection, const std::vector<Detection>& all,
                     double max_overlap);
 
-/// Margin to the best other place of the same object, accepted ones included. `elsewhere`: as in
-/// SearchRequest, for all objects.
+/// Margin to the best other place of the same object, including accepted instances. `elsewhere`:
+/// see SearchRequest.
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
                        const std::map<std::string, double>& elsewhere, double max_overlap);
 
@@ -38,7 +38,7 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
                                  const std::vector<const Detection*>& accepted, double max_overlap);
 
-/// The best of other objects at the detection's place; null: none.
+/// The best detection of another object at the detection's place; null: none.
 const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
                                   double max_overlap);
 

@@ -8,8 +8,8 @@ namespace mbncc::decision {
 
 /// Log-odds to add, fitted to the correctness of detections. They increase with the distinctness of
 /// the outline's fit and with the margin to other rotations, and decrease with the lead of another
-/// instance. The margins are those of margins.hpp. A detection that was not examined may fit better
-/// elsewhere.
+/// instance. The margins are those of margins.hpp. A detection whose outline was not examined is
+/// treated as fitting better elsewhere.
 double calibration(const Detection& detection, double angle_margin, double instance_margin);
 
 }  // namespace mbncc::decision

@@ -45,7 +45,7 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever)
   return jacobian * covariance * jacobian.t();
 }
 
-/// Called when margins are known, before any acceptance.
+/// Sets the calibration of all detections from their margins, before any of them is accepted.
 void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
   const double max_overlap = acceptance.config.max_overlap;
   for (auto& detection : detections)
@@ -54,12 +54,12 @@ void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acc
                     instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
 }
 
-/// [px] the reference point relative to the anchor of the detection.
+/// Reference point [px] relative to the anchor, at the scale of the detection.
 cv::Point2d lever_of(const Detection& detection) {
   return detection.scale * detection.view->reference_in_anchor.position();
 }
 
-/// Of the object's frame.
+/// Pose of the object frame.
 Pose2D object_pose(const Detection& detection) {
   const cv::Point2d lever = lever_of(detection);
   return compose(detection.pose, {lever.x, lever.y, detection.view->reference_in_anchor.theta});
@@ -73,7 +73,8 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   return outline;
 }
 
-/// `other` on the scale of `match`, which is of `detection`.
+/// `other` as a competitor of `match`, which was made from `detection`, with log-odds comparable to
+/// those of the match.
 Competitor competitor_of(const Match& match, const Detection& detection, const Detection& other) {
   return {other.object->name, object_pose(other).position(),
           match.log_odds() - (detection.log_odds() - log_odds_against(detection, other))};

@@ -16,10 +16,10 @@ namespace mbncc::decision {
 /// Thresholds of one call.
 struct AcceptanceSettings {
   const SearchConfig& config;
-  std::optional<double> min_score;  ///< for all objects; none: the object's own or the configured
+  std::optional<double> min_score;  ///< for all objects; empty: the object's or config's
   int max_instances;                ///< per name
   std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
-  std::size_t objects = 1;                           ///< searched in the image
+  std::size_t objects = 1;                           ///< number of objects searched in the image
 };
 
 struct Selection {
