@@ -75,7 +75,7 @@ struct Rival {
 
 /// The place and size of an outline.
 struct Footprint {
-  Circle circle;    ///< [px] of its bounding box
+  Circle circle;    ///< [px] smallest circle around it
   double area = 0;  ///< [px] within it, holes included
 };
 

@@ -119,10 +119,10 @@ struct Matcher::Implementation {
   std::map<std::string, std::string> unsearchable;  // reasons by name, of enabled objects
   mutable scene::ScenePool scenes;
 
-  /// As it was prepared before; null: not yet.
+  /// The object if it is already prepared; otherwise null.
   std::shared_ptr<const prepared::PreparedObject> known(const ObjectModel* object) const;
 
-  /// Throws the exceptions of the preparation.
+  /// Prepares the object unless it is already prepared. Throws if that fails.
   std::shared_ptr<const prepared::PreparedObject> prepare(
       const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const;
 

@@ -10,12 +10,12 @@ namespace mbncc::evidence {
 namespace {
 
 constexpr int kIterations = 10;
-// The farthest pair, so that what only one contour has stops pulling:
-constexpr double kFarthest = 0.5;     // [radius of the fixed contour] at first, ...
-constexpr double kShrinking = 0.8;    // ... times this in each iteration, ...
-constexpr double kNearest = 3;        // ... [px] and at least
-constexpr double kLeastCosine = 0.5;  // between the normals of a pair
-constexpr double kMostCells = 200;    // from the anchor to the grid's edge; bounds its memory
+// Largest distance of a pair. It shrinks, so that parts of only one contour lose their influence.
+constexpr double kFarthest = 0.5;     // [radius of the fixed contour] in the first iteration
+constexpr double kShrinking = 0.8;    // factor per iteration
+constexpr double kNearest = 3;        // [px] lower bound
+constexpr double kLeastCosine = 0.5;  // least cosine between the normals of a pair
+constexpr double kMostCells = 200;    // from the anchor to the grid's edge; bounds the memory
 
 int cell_at(double place, double cell, int half) {
   return std::clamp(cvRound(place / cell) + half, 0, 2 * half);
@@ -64,7 +64,7 @@ std::size_t ClosestPoints::nearest(cv::Point2d place) const {
 
 ClosestPoints::Step ClosestPoints::step_at(const templates::ContourTemplate& moved,
                                            const Pose2D& pose, double farthest) const {
-  constexpr double kCurvature = 0.15;  // [1/px^2] as an edge's response falls with its distance
+  constexpr double kCurvature = 0.15;  // [1/px^2] decrease of an edge's response with the distance
   const Transform placed(pose), turned({0, 0, pose.theta});
   Step step;
   for (std::size_t i = 0; i < moved.size(); ++i) {
@@ -86,7 +86,7 @@ ClosestPoints::Step ClosestPoints::step_at(const templates::ContourTemplate& mov
 
 RegisteredContour ClosestPoints::align(const templates::ContourTemplate& moved,
                                        const Pose2D& start) const {
-  constexpr double kDamping = 1e-3;  // [pairs] keeps directions that no pair determines
+  constexpr double kDamping = 1e-3;  // [pairs] for directions that no pair determines
   const double radius = std::max(1.0, fixed_.radius());
   const cv::Matx33d damping = cv::Matx33d::diag({kDamping, kDamping, kDamping * radius * radius});
   RegisteredContour best{start, 0};

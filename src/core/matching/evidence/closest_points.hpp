@@ -20,11 +20,11 @@ struct RegisteredContour {
 
 class ClosestPoints {
  public:
-  /// `fixed` must outlive it.
+  /// `fixed` must outlive this object.
   explicit ClosestPoints(const templates::ContourTemplate& fixed);
 
-  /// Of the poses on the way from `start` to a local optimum, the one at which most of `moved`, a
-  /// contour of about the same size, lies on the fixed one.
+  /// Iterates from `start` to a local optimum. Returns the visited pose at which most of `moved`, a
+  /// contour of about the same size, lies on the fixed contour.
   RegisteredContour align(const templates::ContourTemplate& moved, const Pose2D& start) const;
 
  private:
@@ -34,9 +34,9 @@ class ClosestPoints {
   Step step_at(const templates::ContourTemplate& moved, const Pose2D& pose, double farthest) const;
 
   const templates::ContourTemplate& fixed_;
-  double cell_;      // [px] side
-  int half_;         // [cells] of the grid, about the anchor
-  cv::Mat nearest_;  // CV_32S, of each cell: index of the nearest point
+  double cell_;      // [px] side of a grid cell
+  int half_;         // [cells] from the anchor, in the middle, to the edge of the grid
+  cv::Mat nearest_;  // CV_32S: for each cell, the index of the nearest contour point
 };
 
 }  // namespace mbncc::evidence

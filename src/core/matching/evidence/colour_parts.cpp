@@ -21,14 +21,15 @@ float brightness(const Planes& planes, std::size_t i) {
   return (planes[0][i] + planes[1][i] + planes[2][i]) / kChannels;
 }
 
-/// (ln R/G, ln B/G), tamed by `dark` [grey levels].
+/// (ln R/G, ln B/G), with `dark` [grey levels] added to each channel to bound noise in dark
+/// colours.
 cv::Point2f chroma(float blue, float green, float red, float dark) {
   const float by = std::log(green + dark);
   return {std::log(red + dark) - by, std::log(blue + dark) - by};
 }
 
-/// For each point the part that its colour belongs to; brightness has less weight, because light
-/// changes it.
+/// Index of each point's part of uniform colour. Brightness has less weight than chroma, because
+/// light changes it.
 std::vector<int> parts_of(const templates::SurfaceTemplate& surface) {
   constexpr float kDark = 20, kChroma = 2, kBrightness = 0.3f;
   const int count = static_cast<int>(surface.size());
@@ -47,15 +48,15 @@ std::vector<int> parts_of(const templates::SurfaceTemplate& surface) {
   return {labels.begin<int>(), labels.end<int>()};
 }
 
-/// The visible part: its chroma difference and its weight.
+/// Chroma differences and weights of the visible points of a part.
 struct PartSeen {
   std::vector<numeric::Weighted> red, blue;
   double points = 0, weight = 0;
 
-  /// Whether enough of the part is visible, and the part is large enough among `all` points.
+  /// Whether enough of the part is visible, and the part is large enough relative to `all` points.
   bool tells(std::size_t all) const {
-    constexpr double kShare = 0.045;  // of the points that make a part
-    constexpr double kEnough = 0.3;   // of a part's points that have to count
+    constexpr double kShare = 0.045;  // least fraction of all points
+    constexpr double kEnough = 0.3;   // least mean weight of the part's points
     return points >= kShare * static_cast<double>(all) && weight >= kEnough * points;
   }
 };
@@ -75,7 +76,7 @@ std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector
   return parts;
 }
 
-/// For each point the compact part that it belongs to.
+/// Index of each point's block.
 std::vector<int> blocks_of(const templates::SurfaceTemplate& surface) {
   std::vector<int> blocks;
   for (std::size_t k = 0; k < surface.block_ends.size(); ++k)
@@ -83,9 +84,9 @@ std::vector<int> blocks_of(const templates::SurfaceTemplate& surface) {
   return blocks;
 }
 
-/// `off` minus the contribution of a background that shines through by an unknown share.
+/// `off` minus the contribution of an unknown fraction of background.
 cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
-  constexpr float kSame = 0.01f;  // chroma: more similar backgrounds explain no difference
+  constexpr float kSame = 0.01f;  // chroma difference; more similar backgrounds explain nothing
   const float square = ground_off.dot(ground_off);
   if (square < kSame * kSame) return off;
   return off - std::clamp(off.dot(ground_off) / square, 0.f, 1.f) * ground_off;
@@ -129,7 +130,7 @@ ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
   }
 }
 
-/// Weights [0..1] of the points: part of the nearby contour points that are found.
+/// Weights [0..1] of the points, from the fraction of nearby contour points that are found.
 std::vector<float> ColourParts::witnessed(const templates::SurfaceSample& sample,
                                           const templates::ContourSample& contour) const {
   constexpr float kNone = 0.45f, kFull = 0.8f;
@@ -154,14 +155,14 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
                                                 const templates::SurfaceSample& sample,
                                                 const templates::ContourSample& contour,
                                                 const cv::Vec3f& ground) const {
-  constexpr float kDark = 30;       // [grey levels] of the lesson
-  constexpr float kUnseen = 0.02f;  // weight of points without found contour points for the light
+  constexpr float kDark = 30;       // [grey levels] in the lesson
+  constexpr float kUnseen = 0.02f;  // weight, when fitting the light, without found contour points
   if (empty() || !sample.suffices()) return {};
   const std::vector<float> weights = witnessed(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
   const GainOffset light = fit_gain_offset(surface.planes, sample.planes, lit);
-  const float dark = kDark * static_cast<float>(light.factor);  // so that dim light tells as much
+  const float dark = kDark * static_cast<float>(light.factor);  // equal sensitivity in dim light
   const auto chroma_off = [&](const cv::Vec3f& learned, const cv::Vec3f& seen) {
     return chroma(light.of(learned[0]), light.of(learned[1]), light.of(learned[2]), dark) -
            chroma(seen[0], seen[1], seen[2], dark);

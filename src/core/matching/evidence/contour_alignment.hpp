@@ -17,19 +17,20 @@ struct AlignedContourPose {
 
 class ContourAlignment {
  public:
-  /// For a contour `scale` times as large, at poses whose surroundings `pixels` contains.
+  /// The contour is `scale` times as large as the template. `pixels` must contain the surroundings
+  /// of all poses.
   ContourAlignment(const templates::ContourTemplate& contour, const scene::PreparedPixels& pixels,
                    double scale = 1)
       : contour_(contour), pixels_(pixels), scale_(scale) {}
 
-  /// See contour_agreement().
+  /// contour_agreement() at `pose`.
   double at(const Pose2D& pose) {
     templates::read_contour(contour_, pixels_.edges, pose, 1, sample_, scale_);
     return templates::contour_agreement(contour_, sample_);
   }
 
-  /// The best pose that up to `steps` steps of a pixel along x, y, or the rim reach from `start`,
-  /// over poses that are `allowed`.
+  /// Hill climbing from `start` over `allowed` poses: at most `steps` steps of 1 px along x, y or,
+  /// by rotation, the rim. Returns the best pose.
   template <class Allowed>
   AlignedContourPose aligned(const Pose2D& start, int steps, const Allowed& allowed) {
     AlignedContourPose best{start, at(start)};
@@ -60,8 +61,8 @@ class ContourAlignment {
   templates::ContourSample sample_;
 };
 
-/// At the place within 6 px along x and y [px at level] where a contour agrees best with the edges,
-/// at the same rotation; that agreement is its value.
+/// Moves `candidate`, at the same rotation, to the place within 6 px along x and y [px at level]
+/// where the contour agrees best with the edges. The agreement becomes its value.
 templates::Candidate shifted_onto_edges(const templates::ContourTemplate& contour,
                                         const scene::SceneLevel& scene,
                                         const templates::Candidate& candidate);

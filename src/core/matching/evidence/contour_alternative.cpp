@@ -13,7 +13,7 @@ double advantage_elsewhere(const templates::ContourTemplate& contour,
   constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
   constexpr double kStep = 2;         // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;        // steps along x and y
-  constexpr double kWorse = 0.1;      // difference in agreement that alignment does not make up for
+  constexpr double kWorse = 0.1;      // difference in agreement that alignment cannot make up for
   constexpr int kAlignmentSteps = 4;  // steps of a pixel
   constexpr double kSlack = 20;       // [px] more than the distance to the farthest place
   ContourAlignment agreement(contour, scene.around(pose, scale * contour.radius() + kSlack), scale);

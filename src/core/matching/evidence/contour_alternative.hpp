@@ -7,8 +7,8 @@
 
 namespace mbncc::evidence {
 
-/// [-2..2] Advantage in contour_agreement() of places 3 to about 10 px away from `pose`, slightly
-/// rotated, over `pose` itself, for the contour `scale` times as large. Approximate if negative.
+/// [-2..2] Advantage in contour_agreement() over `pose` of the best place 3 to about 10 px away, at
+/// about the same rotation, for the contour `scale` times as large. Approximate if negative.
 double advantage_elsewhere(const templates::ContourTemplate& contour,
                            const scene::SceneLevel& scene, const Pose2D& pose, double scale);
 

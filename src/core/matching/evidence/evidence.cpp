@@ -45,7 +45,7 @@ Evidence contour_evidence(const templates::PoseTemplate& object,
   return evidence;
 }
 
-/// The input read at a pose.
+/// Input of the evidence at a pose.
 struct Reading {
   const templates::PoseTemplate& object;
   const scene::SceneLevel& scene;
@@ -55,7 +55,7 @@ struct Reading {
   const cv::Mat& edges() const { return scene.around(pose, scale * object.reach()).edges; }
 };
 
-/// `trimmed` is the residual of the sample's parts.
+/// `trimmed`: trimmed_residual() of the sample's blocks.
 Evidence evidence_of(const Reading& reading, const templates::PoseSample& sample, double trimmed) {
   constexpr double kNoise = 9;  // [grey^2]
   const templates::SurfaceTemplate& surface = reading.object.surface;
@@ -82,8 +82,8 @@ Evidence evidence_without(const ColourCast& cast, const Reading& reading,
   return evidence;
 }
 
-/// Log-odds penalty of a cast: 2 for the additional freedom, plus that of a normal distribution of
-/// deviation .09.
+/// Log-odds penalty of a cast: 2 for the additional degrees of freedom, plus that of a normal
+/// distribution with a standard deviation of .09.
 double cast_penalty(double cast) {
   constexpr double kFreedom = 2, kSteepness = 60;
   return cast > 0 ? kFreedom + kSteepness * cast * cast : 0;
@@ -118,10 +118,11 @@ Evidence gather_evidence(const templates::PoseTemplate& object, const scene::Sce
 }
 
 double log_odds(const Evidence& evidence, double area) {
-  // Fitted by logistic regression to true and false poses in drawn scenes, the discount for clutter
-  // (clutter.hpp) among the terms. For objects hardly larger than their edge, contour coverage has
-  // more weight, and inner gradients are those of the background.
-  constexpr double kSmallArea = 700;  // [px] below it other weights are used
+  // Fitted by logistic regression to true and false poses in drawn scenes, together with the
+  // clutter penalty (clutter_penalty.hpp). For objects hardly larger than their edge, contour
+  // coverage has more weight and gradients have less, because gradients inside are those of the
+  // background.
+  constexpr double kSmallArea = 700;  // [px] below it the weights change
   const double small = std::max(0.0, std::log(kSmallArea / area));
   return 18.9 * evidence.contour_coverage + 17.3 * evidence.gradient -
          kTrimmedWeight * evidence.trimmed_residual + 6.68 * evidence.histogram +

@@ -7,7 +7,7 @@
 
 namespace mbncc::evidence {
 
-/// Residual where there is nothing to compare.
+/// Residual if nothing can be compared.
 constexpr double kNoFit = 5;
 
 /// A new member also belongs in log_odds(), in the explanation (explanation/explanation.cpp) and in
@@ -15,7 +15,7 @@ constexpr double kNoFit = 5;
 struct Evidence {
   double contour_score = -1;    ///< [-1..1] edges along the map's edge, see contour_agreement()
   double contour_coverage = 0;  ///< [0..1] part of the contour with a clear edge along it
-  double gradient = 0;          ///< [-1..1] direction of texture gradients inside
+  double gradient = 0;          ///< [-1..1] agreement of texture gradients inside the map
   /// ln(rms colour difference [grey levels] + 3) after gain and offset, over the best 5 of 8
   /// blocks, robust to occlusion.
   double trimmed_residual = kNoFit;
@@ -29,16 +29,16 @@ struct Evidence {
                                  ///< the image, and no highlights
 };
 
-/// Of the object `scale` times as large as the template.
+/// Evidence for the object at `pose`, `scale` times as large as the template.
 Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                          const Pose2D& pose, double scale = 1);
 
-/// From the data read at the pose.
+/// The same from the data already read at the pose.
 Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                          const Pose2D& pose, const templates::PoseSample& sample, double scale = 1);
 
 /// Fused log-odds that the object of `area` [px] lies at the pose: a logistic model of the
-/// evidence. Small objects are matched by chance more often and need more.
+/// evidence. Small objects are matched by chance more often and need more evidence.
 double log_odds(const Evidence& evidence, double area);
 
 /// Log-odds, up to a constant, of one rotation against others at the same place. Shading and gloss

@@ -5,16 +5,16 @@
 
 namespace mbncc::evidence {
 
-// Weighted least squares, reweighted by the misfits.
+// Iteratively reweighted least squares.
 GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::array<std::vector<float>, 3>& seen,
                            const std::vector<float>& weights) {
   constexpr int kChannels = 3;
   constexpr int kPasses = 4;
-  constexpr double kPrior = 0.02;  // weight of an offset of 0: light multiplies, glare and haze add
-  constexpr double kUsual = 400;   // [grey^2] that halves a point's weight
+  constexpr double kPrior = 0.02;  // weight of an offset of 0: only glare and haze add to colours
+  constexpr double kUsual = 400;   // [grey^2] mean square residual that halves a point's weight
   constexpr double kLeast = 0.15, kMost = 4;
-  constexpr double kBlack = 1;  // [grey^2] weight of a factor of 1: black surfaces do not tell it
+  constexpr double kBlack = 1;  // [grey^2] weight of a factor of 1, for black surfaces
   GainOffset light;
   for (int pass = 0; pass < kPasses; ++pass) {
     double total = 0, t = 0, s = 0, tt = 0, ts = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Light of an object in an image, as a gain and an offset of its colours.
+// Light on an object in an image, modelled as a gain and an offset of its colours.
 #pragma once
 
 #include <algorithm>
@@ -18,8 +18,8 @@ struct GainOffset {
   }
 };
 
-/// From values [grey levels] of blue, green and red, point by point, and the points' `weights`, not
-/// all of them 0. Robust to outliers such as parts of another colour.
+/// Fits gain and offset to corresponding values [grey levels], per channel (b, g, r) and point.
+/// `weights`, one per point, must not all be 0. Robust to outliers such as parts of another colour.
 GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::array<std::vector<float>, 3>& seen,
                            const std::vector<float>& weights);

@@ -11,12 +11,12 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kRim = 4;         // [px] beside the outline, where edges are its own
-constexpr int kSlack = 2;       // [px] between the two places of an edge
-constexpr float kClear = 0.5F;  // length of an edge vector
-constexpr float kFaint = 0.2F;  // length of the other's vector along the edge, at least
+constexpr int kRim = 4;         // [px] width of the rim whose edges belong to the outline
+constexpr int kSlack = 2;       // [px] tolerated displacement of an edge
+constexpr float kClear = 0.5F;  // least length of a clear edge vector
+constexpr float kFaint = 0.2F;  // least component of its counterpart along it
 
-constexpr int kBeside = 7;  // [px] square about a pixel of a highlight: its edge
+constexpr int kBeside = 7;  // [px] side of the square around a highlight pixel with its edges
 
 using Vector = cv::Vec<schar, 2>;
 
@@ -34,12 +34,12 @@ bool is_clear(const Vector& edge) {
   return dot(edge, edge) > kLength * kLength;
 }
 
-/// A turn of edge vectors, whose angles are doubled.
+/// Rotation of edge vectors, whose angles are doubled.
 struct Turn {
   explicit Turn(double angle)
       : c(static_cast<float>(std::cos(2 * angle))), s(static_cast<float>(std::sin(2 * angle))) {}
 
-  /// Of length 1.
+  /// Unit vector along the rotated edge.
   cv::Vec2f direction_of(const Vector& edge) const {
     return cv::Vec2f(dot(edge, {c, -s}), dot(edge, {s, c})) / std::sqrt(dot(edge, edge));
   }
@@ -47,7 +47,7 @@ struct Turn {
   float c, s;
 };
 
-/// Places around a pixel, the nearest first.
+/// Offsets to a pixel and those within kSlack of it, nearest first.
 std::vector<cv::Point> places_around() {
   std::vector<cv::Point> places;
   for (int y = -kSlack; y <= kSlack; ++y)
@@ -57,7 +57,7 @@ std::vector<cv::Point> places_around() {
   return places;
 }
 
-/// Edges with a margin, in which other edges are looked up.
+/// Edge image with a margin, in which edges near a pixel are looked up.
 class EdgesAround {
  public:
   explicit EdgesAround(const cv::Mat& edges) {
@@ -67,7 +67,7 @@ class EdgesAround {
       offsets_.push_back(static_cast<std::ptrdiff_t>(by.y) * edges_.cols + by.x);
   }
 
-  /// Whether there is one of this direction near (x, y).
+  /// Whether there is an edge of this direction near (x, y).
   bool has_along(int x, int y, const cv::Vec2f& direction) const {
     const auto* at = edges_.ptr<Vector>(y + kSlack) + x + kSlack;
     return std::any_of(offsets_.begin(), offsets_.end(), [&](std::ptrdiff_t offset) {
@@ -80,8 +80,8 @@ class EdgesAround {
   std::vector<std::ptrdiff_t> offsets_;
 };
 
-/// CV_8UC1: 255 within `where` where `edges`, turned by `angle` [rad], are clear and not in
-/// `others`.
+/// CV_8UC1: 255 within `where` at each clear edge of `edges` that, rotated by `angle` [rad], has no
+/// counterpart in `others`.
 cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const cv::Mat& where) {
   const EdgesAround around(others);
   const Turn turn(angle);
@@ -97,7 +97,7 @@ cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const
   return pixels;
 }
 
-/// Whether most of the contour is found beside `at` [px about the anchor].
+/// Whether most of the contour is found beside `at` [px] relative to the anchor.
 bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemplate& contour,
                              const templates::ContourSample& sample) {
   float seen = 0, found = 0;
@@ -110,7 +110,7 @@ bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemp
 
 struct Group {
   int size = 0;          ///< [px]
-  bool reaches = false;  ///< the border of where edges are compared
+  bool reaches = false;  ///< touches the border of the compared area
   cv::Point2d centre;
 };
 
@@ -192,8 +192,8 @@ InteriorEdges::Seen InteriorEdges::at_pose(const scene::PreparedPixels& pixels, 
           read(cv::Mat(box.size(), CV_8UC1, cv::Scalar(255)))};
 }
 
-/// CV_8UC1: 255 inside the outline, away from what saturates in the image though it would not in
-/// the image's light.
+/// CV_8UC1: 255 inside the outline, except near pixels that are saturated in the image although the
+/// object would not saturate in this light.
 cv::Mat InteriorEdges::without_highlights(const Seen& seen) const {
   const cv::Scalar least = cv::Scalar::all(templates::kSaturated), most = cv::Scalar::all(255);
   const cv::Mat shown = inside_ & seen.inside;

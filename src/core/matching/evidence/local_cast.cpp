@@ -7,7 +7,7 @@
 namespace mbncc::evidence {
 namespace {
 
-/// Neither dark nor clipped.
+/// Whether a block's mean colour is neither dark nor clipped in any channel.
 bool is_told_by(const templates::BlockSums::Channels& sums, double count) {
   constexpr double kDark = 24, kClipped = 245;
   return std::all_of(sums.begin(), sums.end(),

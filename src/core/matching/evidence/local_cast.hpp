@@ -16,15 +16,15 @@ struct ColourCast {
   double blue = 0, red = 0;
 
   double size() const { return std::hypot(blue, red); }
-  /// By channel, as factors: b, g, r.
+  /// Gains per channel (b, g, r).
   cv::Vec3d gains() const { return {std::exp(blue), 1, std::exp(red)}; }
 };
 
-/// Mean over the half of the surface's compact parts that agree best, of those neither dark nor
-/// clipped, so that occluded parts have no influence; none if no part is usable.
+/// Mean cast over the half of the surface's blocks that agree best, so that occluded blocks have no
+/// influence. Dark and clipped blocks are left out; none if no block remains.
 std::optional<ColourCast> local_cast(const std::vector<templates::BlockSums>& blocks);
 
-/// The cast limited to plausible light; larger differences are another colour.
+/// The cast limited to plausible light; larger differences mean another object colour.
 ColourCast bounded(const ColourCast& cast);
 
 /// Removes the cast; colours stay in [0..255].

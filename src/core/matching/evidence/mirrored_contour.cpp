@@ -11,12 +11,12 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kAlignmentSteps = 6;     // steps of a pixel that the mirrored outline may take, ...
-constexpr int kSettling = 2;           // ... and the object's own
-constexpr double kWorse = 0.2;         // difference in agreement that these do not make up for
-constexpr double kSame = 3;            // [px] apart, poses are one
-constexpr double kTold = 0.006;        // difference in agreement of another outline in the lesson
-constexpr double kLeastLimit = 0.005;  // agreement
+constexpr int kAlignmentSteps = 6;  // steps of 1 px to align the mirrored outline, ...
+constexpr int kSettling = 2;        // ... and the object's own outline
+constexpr double kWorse = 0.2;      // difference in agreement that these steps cannot make up for
+constexpr double kSame = 3;         // [px] closer poses are duplicates
+constexpr double kTold = 0.006;  // [agreement] least deficit of a different outline in the lesson
+constexpr double kLeastLimit = 0.005;  // [agreement] lower bound of limit()
 
 templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) {
@@ -60,7 +60,7 @@ MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
 double MirroredContour::advantage(const templates::ContourTemplate& contour,
                                   const scene::SceneLevel& scene, const Pose2D& pose,
                                   double scale) const {
-  constexpr double kSlack = 10;  // [px] more than the alignment's steps and the edges' search
+  constexpr double kSlack = 10;  // [px] more than the reach of alignment and edge search
   const auto around = [&](const Pose2D& place) {
     return scene.around(place, scale * contour.radius() + kSlack);
   };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The mirrored outline of an object, which detects its other side.
+// The mirrored outline of an object, to detect that the object lies on its other side.
 #pragma once
 
 #include <vector>
@@ -25,14 +25,13 @@ class MirroredContour {
   double advantage(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
                    const Pose2D& pose, double scale) const;
 
-  /// [agreement] A larger advantage means that the object lies on its other side. Half of the
-  /// mirrored outline's deficit in the lesson; if that is small, kMirrored, which chance does not
-  /// exceed.
+  /// [agreement] If advantage() exceeds it, the object lies on its other side. Half of the mirrored
+  /// outline's deficit in the lesson, at most kMirrored; kMirrored if the deficit is small.
   double limit() const { return limit_; }
 
  private:
   templates::ContourTemplate mirrored_;
-  std::vector<Pose2D> poses_;  ///< of the mirrored outline where most of it lies on the object's
+  std::vector<Pose2D> poses_;  ///< of the mirrored outline that cover the object's outline best
   double usual_ = 0;           ///< advantage in the lesson
   double limit_ = kMirrored;
 };

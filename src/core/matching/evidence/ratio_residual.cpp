@@ -13,7 +13,7 @@ constexpr float kDark = 30;  // [grey levels] added, because noise dominates dar
 }  // namespace
 
 RatioResidual::RatioResidual(const templates::SurfaceTemplate& surface, double area) {
-  constexpr double kNear = 1.5;  // sides of the map's area per point
+  constexpr double kNear = 1.5;  // [side of a point's share of the area] largest distance of a pair
   const double square = kNear * kNear * area / static_cast<double>(surface.size());
   for (std::size_t i = 0; i < surface.size(); ++i)
     for (std::size_t j = i + 1; j < surface.size(); ++j) {
@@ -24,7 +24,7 @@ RatioResidual::RatioResidual(const templates::SurfaceTemplate& surface, double a
 
 double RatioResidual::misfit(const templates::SurfaceTemplate& surface,
                              const templates::SurfaceSample& sample) const {
-  constexpr float kPercent = 100, kNoise = 1;  // [%] of a camera
+  constexpr float kPercent = 100, kNoise = 1;  // [%] noise of a camera
   if (pairs_.empty() || !sample.suffices()) return 0;
   double learned = 0, seen = 0;
   for (int c = 0; c < kChannels; ++c)

@@ -9,11 +9,11 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kTurns = 4;       // to each side, ...
-constexpr double kArc = 1.5;    // [px] ... the rim moving by so much
-constexpr int kShifts = 5;      // to each side, ...
+constexpr int kTurns = 4;       // rotation steps to each side, ...
+constexpr double kArc = 1.5;    // [px] ... by which the rim moves
+constexpr int kShifts = 5;      // shifts along x to each side, ...
 constexpr double kShift = 1.5;  // [px] ... of this size, small enough not to skip an edge
-constexpr int kApart = 3;       // shifts between the parts: smaller ones are one outline
+constexpr int kApart = 3;       // least shifts between the parts; fewer are an intact outline
 constexpr double kSlack = 24;   // [px] more than the motion of any point
 
 class TornOutline {
@@ -45,7 +45,7 @@ class TornOutline {
   }
 
  private:
-  using Sums = std::vector<float>;  // of the responses of points from the top on
+  using Sums = std::vector<float>;  // cumulative responses of the points, from the top
 
   void read(int turn, int shift) {
     const double angle = turn * kArc / std::max(1.0, scale_ * contour_.radius());
@@ -58,7 +58,8 @@ class TornOutline {
       visible_ = std::max(1.F, std::accumulate(sample_.seen.begin(), sample_.seen.end(), 0.F));
   }
 
-  /// For the last rotation: each part has at least a quarter of the outline.
+  /// Best mean response of a torn outline at the rotation last read. Each part has at least a
+  /// quarter of the outline.
   double best_torn() const {
     float best = 0;
     const std::size_t points = order_.size();
@@ -66,15 +67,15 @@ class TornOutline {
     return best / visible_;
   }
 
-  /// The best sum of an upper part of the points before `i` and a lower one of the others, kApart
-  /// shifts or more from each other.
+  /// Best sum of responses if the upper part, the points before `i`, and the lower part, the
+  /// others, are at least kApart shifts from each other.
   float torn_at(std::size_t i) const {
     const auto upper = [&](std::size_t shift) { return responses_[shift][i]; };
     const auto lower = [&](std::size_t shift) {
       return responses_[shift].back() - responses_[shift][i];
     };
     constexpr float kNone = -1e6F;
-    float best = kNone, best_upper = kNone, best_lower = kNone;  // of shifts kApart behind
+    float best = kNone, best_upper = kNone, best_lower = kNone;  // kApart or more behind
     for (std::size_t shift = kApart; shift < responses_.size(); ++shift) {
       best_upper = std::max(best_upper, upper(shift - kApart));
       best_lower = std::max(best_lower, lower(shift - kApart));

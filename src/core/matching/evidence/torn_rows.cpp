@@ -8,13 +8,13 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kSmallest = 3;          // [px] displacement; texture explains smaller ones
-constexpr int kLargest = 14;          // [px]
-constexpr double kPeak = 2;           // of the difference of two rows over those beside them
-constexpr double kUnexplained = 0.6;  // of it, when the lower row is displaced
+constexpr int kSmallest = 3;          // [px] least displacement; texture explains smaller ones
+constexpr int kLargest = 14;          // [px] largest displacement
+constexpr double kPeak = 2;           // least ratio of a peak to the differences beside it
+constexpr double kUnexplained = 0.6;  // largest part of a peak left by a displacement
 
-/// [grey^2] Mean square of the difference between a row's columns and those of the row below, `way`
-/// [px] farther on; at least that of rounding.
+/// [grey^2] Mean square difference between `columns` of a row and those of the row below, shifted
+/// by `way` [px], plus that of rounding.
 double difference(const cv::Mat& grey, int row, cv::Range columns, int way) {
   constexpr double kRounding = 1;
   const int from = std::max(columns.start, -way), to = std::min(columns.end, grey.cols - way);
@@ -36,7 +36,8 @@ double least_displaced(const cv::Mat& grey, int row, cv::Range columns) {
 }  // namespace
 
 bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
-  // Tears near the ends of an object hardly displace its pose. The surroundings are displaced, too.
+  // Tears near the ends of an object hardly displace its pose. A tear also displaces the
+  // surroundings, so they are compared as well.
   const int outer = box.height / 5;
   const cv::Rect around =
       cv::Rect(box.x - box.width, box.y + outer - 1, 3 * box.width, box.height - 2 * outer + 3) &
@@ -53,7 +54,7 @@ bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
     if (least_displaced(grey, around.y + static_cast<int>(i), columns) < kUnexplained * peak)
       ++displaced;
   }
-  return displaced == 1;  // several: a chequered or bricked platform
+  return displaced == 1;  // several rows: the platform is chequered or made of bricks
 }
 
 }  // namespace mbncc::evidence

@@ -12,13 +12,13 @@ namespace mbncc::evidence {
 namespace {
 
 constexpr int kChannels = templates::SurfaceTemplate::kChannels;
-constexpr double kLeastPoints = 4;  // of a part that is compared
+constexpr double kLeastPoints = 4;  // least number of points in a compared block
 
 struct Gain {
   double factor, offset;
 };
 
-/// Sums over all channels of a part, or of several.
+/// Sums over all channels of one or several blocks.
 struct Sums {
   double count = 0, t = 0, s = 0, tt = 0, ts = 0, ss = 0;
 
@@ -53,14 +53,14 @@ struct Sums {
     return {factor, (s - factor * t) / count};
   }
 
-  /// [grey^2] mean
+  /// Mean square [grey^2] of the residual after this gain.
   double square(const Gain& gain) const {
     const double a = gain.factor, b = gain.offset;
     return (ss + a * a * tt - 2 * (a * ts + b * s - a * b * t)) / count + b * b;
   }
 };
 
-/// The parts of a surface, at most as many as SamplePoints has.
+/// The blocks of a surface that have enough points.
 class Parts {
  public:
   explicit Parts(const std::vector<templates::BlockSums>& all) {
@@ -76,7 +76,7 @@ class Parts {
     return sum;
   }
 
-  /// The sum of the five of eight with the smallest residuals in a light.
+  /// Sum of the five eighths of the blocks with the smallest residuals after `gain`.
   Sums best_explained(const Gain& gain) const {
     std::array<std::pair<double, std::size_t>, templates::kMostBlocks> sorted;
     for (std::size_t i = 0; i < count_; ++i) sorted[i] = {parts_[i].square(gain), i};

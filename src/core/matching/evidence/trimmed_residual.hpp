@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour difference between the compact parts of a surface and an image, in the light that fits
-// most of the parts: what covers some of them has no effect on the others.
+// Colour difference between the blocks of a surface and an image, in the light that fits most of
+// the blocks: an occluder of some blocks has no effect on the others.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace mbncc::evidence {
 
-/// Root mean square [grey levels] of the colour differences in the five of eight parts that one
-/// gain and one offset fit best (least trimmed squares, Rousseeuw 1984, by two steps from the light
-/// of all parts: a local optimum); negative if no part lies in the image.
+/// Root mean square [grey levels] of the colour differences in the five of eight blocks that one
+/// gain and one offset fit best (least trimmed squares, Rousseeuw 1984; two steps from the fit to
+/// all blocks, so a local optimum). Negative if no block lies in the image.
 double trimmed_residual(const std::vector<templates::BlockSums>& blocks);
 
 }  // namespace mbncc::evidence

@@ -21,7 +21,7 @@ using Models = std::vector<std::shared_ptr<const ObjectModel>>;
 
 constexpr int kAllInstances = 1000;
 
-/// Whether the place lies inside this outline.
+/// Whether the place lies inside the smallest circle around the outline.
 bool lies_at(const std::vector<cv::Point2f>& outline, cv::Point2d place) {
   if (outline.size() < 3) return false;
   cv::Point2f centre;
@@ -40,7 +40,7 @@ const Thing* best_at(const std::vector<Thing>& things, const std::string& name, 
   return best;
 }
 
-/// The match that occupies the place of `outline`.
+/// Name of another object whose match overlaps the box of `outline`; "": none.
 std::string covering(const std::vector<Match>& matches, const std::string& name,
                      const std::vector<cv::Point2f>& outline) {
   const cv::Rect box = cv::boundingRect(outline);
@@ -52,7 +52,8 @@ std::string covering(const std::vector<Match>& matches, const std::string& name,
   return "";
 }
 
-/// The terms of the evidence of a pose at `scale` of the view's. Returns their sum.
+/// Appends the terms of the evidence for the view at `anchor`, `scale` times as large. Returns the
+/// log-odds of the evidence.
 double take_evidence(const prepared::PreparedView& view, const scene::SceneImage& scene,
                      const Pose2D& anchor, double scale, std::vector<ScorePart>& parts) {
   const evidence::Evidence seen =
@@ -77,7 +78,8 @@ double take_evidence(const prepared::PreparedView& view, const scene::SceneImage
   return together;
 }
 
-/// The pose of the view's anchor that shows the object frame at `pose` and `scale` of the view's.
+/// The pose of the view's anchor if the object frame is at `pose` and the object `scale` times as
+/// large as the view.
 Pose2D anchor_of(const prepared::PreparedView& view, const Pose2D& pose, double scale) {
   const Pose2D& reference = view.reference_in_anchor;
   const double theta = pose.theta - reference.theta;
@@ -85,7 +87,7 @@ Pose2D anchor_of(const prepared::PreparedView& view, const Pose2D& pose, double 
   return {pose.x - lever.x, pose.y - lever.y, theta};
 }
 
-/// The view that explains a pose best.
+/// Sets the terms of the evidence for the view that fits the explained pose best.
 void take_best_evidence(const prepared::PreparedObject& object, const scene::SceneImage& scene,
                         Explanation& explanation) {
   double best = -std::numeric_limits<double>::max();
@@ -120,7 +122,7 @@ void take_match(const Match& match, const SearchConfig& config, double min_score
   check("min_visible", match.visible, config.min_visible, false);
 }
 
-/// The search of the whole image, as configured and without thresholds.
+/// Results of searching the whole image as configured (`usual`) and without thresholds (`all`).
 struct Searched {
   SearchResult usual, all;
 };
@@ -170,7 +172,7 @@ class Explainer {
   }
 
  private:
-  /// The best pose near the place, whether or not the search proposes one.
+  /// Sets pose and score to the best ones near the place, whether or not the search proposes them.
   void judge_at(const prepared::PreparedObject& object, const scene::SceneImage& scene,
                 Explanation& explanation) const {
     const auto clutter = searched_.usual.clutter.find(object.model->name);

@@ -23,7 +23,8 @@ std::string number(double value, int digits) {
   return text.str();
 }
 
-// After the point: two, or as many as tell a value from a threshold that it fails narrowly.
+// Number of decimals: two, or as many as distinguish a value from a threshold that it narrowly
+// misses.
 int digits_telling(double value, double threshold) {
   constexpr int kMost = 15;
   int digits = 2;

@@ -11,11 +11,10 @@
 namespace mbncc {
 namespace {
 
-constexpr double kSmallestRadius = 8;  // [px] at the coarsest level
-constexpr double kLargestRadius =
-    2048;  // [px] templates and their polar images grow with the square
+constexpr double kSmallestRadius = 8;    // [px] at the coarsest level
+constexpr double kLargestRadius = 2048;  // [px] memory grows with its square
 constexpr int kTopLevel = 5;
-constexpr double kMinSimilarity = 0.3;   // of a candidate
+constexpr double kMinSimilarity = 0.3;   // least similarity of a candidate
 constexpr std::size_t kCandidates = 40;  // kept at the coarsest level
 constexpr std::size_t kFinal = 16;       // kept at full resolution
 
@@ -54,7 +53,7 @@ double angle_of(int shift, const PolarGrid& grid) {
   return wrap_angle(2 * kPi * shift / grid.angles);
 }
 
-/// Best of the similarities over a range of shifts.
+/// Best rotation at `centre` over `count` cyclic shifts from `first` on.
 PolarPose best_rotation(const PolarTemplate& object, const cv::Mat& grey, cv::Point2d centre,
                         int first, int count) {
   const auto values = object.similarities(polar_image(grey, centre, object.grid()), first, count);
