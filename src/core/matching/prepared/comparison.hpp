@@ -12,12 +12,12 @@ namespace mbncc::prepared {
 
 /// An object and an image as they are compared: in grey if either has no colour.
 struct Comparison {
-  const PreparedObject* object;  ///< lives as long as the given one
+  const PreparedObject* object;  ///< valid while the given object lives
   std::shared_ptr<const scene::SceneImage> scene;
 };
 
-/// In the order of the objects; objects with the same comparison share a scene. The pool must
-/// outlive them.
+/// One comparison per object, in the same order. Objects compared with the same image share a
+/// scene. `scenes` must outlive the comparisons.
 std::vector<Comparison> comparisons(
     const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& image,
     scene::ScenePool& scenes);

@@ -12,7 +12,7 @@
 namespace mbncc::prepared {
 namespace {
 
-/// Points of a template, at most.
+/// Largest numbers of points of a template.
 struct PointCounts {
   std::size_t surface, contour;
 };
@@ -21,7 +21,7 @@ constexpr PointCounts kTrackedPoints{112, 64};  // alignment at each level
 constexpr PointCounts kVerifiedPoints{640, 200};
 constexpr PointCounts kRefinedPoints{2500, 200};
 
-constexpr double kNearSize = 0.05;  // relative change of size, as heights and tilts cause
+constexpr double kNearSize = 0.05;  // relative change of size that heights and tilts cause
 
 cv::Mat grey_of(const View& view) {
   cv::Mat grey;
@@ -73,7 +73,8 @@ View rescaled(const View& view, double scale) {
   return result;
 }
 
-/// All levels up to `top`: build_pyramid() has fewer for maps only a few pixels wide.
+/// Pyramid with all levels up to `top`, also for maps only a few pixels wide, for which
+/// build_pyramid() returns fewer.
 std::vector<cv::Mat> whole_pyramid(const cv::Mat& image, int top) {
   const int least = imaging::kSmallestLevel << top;
   cv::Mat wide;
@@ -92,7 +93,8 @@ ResizedTemplates resized_templates(double change, const templates::PoseTemplate&
   return {1 + change, resized_by(1 + change, object), resized_by(1 + 2 * change, object)};
 }
 
-/// The searches tolerate 3 % in either direction. The learned scale comes first.
+/// The scales to search within 1 +- `range`, the learned one first. A search tolerates 3 % in
+/// either direction.
 std::vector<double> scales_within(double range) {
   constexpr double kStep = 0.06, kBorne = 0.03;
   std::vector<double> scales{1};
@@ -117,9 +119,9 @@ bool same_outline(const View& a, const View& b) {
   return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
 }
 
-/// Light does not rotate with the object, so it resembles the view learned at the nearest rotation
-/// most. Views of the same outline divide the rotations: each is searched half-way to its
-/// neighbours plus a small overlap.
+/// The rotations at which `view` is searched. Light does not rotate with the object, so the object
+/// looks most like the view learned at the nearest rotation. Views of the same outline divide the
+/// rotations: each is searched half-way to its neighbours plus a small overlap.
 proposal::AngleRange sector_of(const View& view, const std::vector<View>& all) {
   constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
   proposal::AngleRange sector;
@@ -141,7 +143,7 @@ int symmetry_of(const ObjectModel& model, const View& view) {
 
 }  // namespace
 
-/// Images from which all parts are computed.
+/// Images from which all members are computed.
 struct PreparedView::Source {
   explicit Source(const View& learned)
       : view(learned),

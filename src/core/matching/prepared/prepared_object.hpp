@@ -29,15 +29,15 @@ enum class Engine { kFast, kPolar };
 
 /// An object in two sizes other than the learned one.
 struct ResizedTemplates {
-  double scale;                     ///< of `near`, as heights and tilts cause
-  templates::PoseTemplate near;     ///< in that size
+  double scale;                     ///< of `near`; heights and tilts can cause it
+  templates::PoseTemplate near;     ///< at `scale`
   templates::PoseTemplate farther;  ///< twice as far from the learned size
 };
 
 /// One view, with the templates that the searches need.
 class PreparedView : public mbncc::templates::ViewFrame {
  public:
-  /// Of an object seen `scale` times as large as it was learned.
+  /// Prepares the view for objects that appear `scale` times as large as learned.
   PreparedView(const View& view, Engine engine, double scale = 1);
 
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
@@ -56,7 +56,7 @@ class PreparedView : public mbncc::templates::ViewFrame {
   evidence::ColourParts parts;                 ///< of `fine`
   evidence::RatioResidual ratios;              ///< of `fine`
   std::array<ResizedTemplates, 2> resized;     ///< `fine`, smaller and larger
-  evidence::MirroredContour mirrored_contour;  ///< its outline, mirrored
+  evidence::MirroredContour mirrored_contour;  ///< of the contour of `fine`
   evidence::InteriorEdges interior_edges;      ///< at full resolution
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
   MaskedTemplate points;                       ///< all map pixels at full resolution
@@ -80,7 +80,7 @@ struct PreparedObject {
   std::shared_ptr<const ObjectModel> model;
   bool coloured;  ///< the views show colour
   std::vector<PreparedView> views;
-  /// The same in grey, for grey images; null if the views are grey.
+  /// The object in grey, for grey images; null if the views are grey.
   numeric::Lazy<std::shared_ptr<const PreparedObject>> in_grey;
 
  private:

@@ -14,11 +14,11 @@ constexpr int kMargin = 4;                 // [px] of the canvas around the obje
 constexpr double kSmoothing = 0.6;         // [px of the canvas] before anything is compared
 constexpr double kEdgeHeight = 60;         // [grey levels] weight of the outline in the alignment
 constexpr double kRim = 0.08;              // of the radius: bevels and mixed pixels
-constexpr double kMisaligned = 0.5;        // [px of the canvas] left after the alignment
-constexpr double kSmallMisaligned = 0.02;  // of the radius: of small objects less
-constexpr double kMostNoise = 3;           // [grey levels] finer structure beyond is texture
+constexpr double kMisaligned = 0.5;        // [px of the canvas] tolerated misalignment, ...
+constexpr double kSmallMisaligned = 0.02;  // [radii] ... limited for small objects
+constexpr double kMostNoise = 3;           // [grey levels] stronger fine structure is texture
 constexpr double kMarkWidth = 0.03;        // of the radius
-constexpr double kMarkArea = 0.005;        // of the map: what a mark covers at least
+constexpr double kMarkArea = 0.005;        // of the map: least area of a mark
 
 /// The value that the upper `part` of the values under the mask exceeds.
 double upper_quantile(const cv::Mat& values, const cv::Mat& mask, double part) {
@@ -64,7 +64,7 @@ cv::Mat shrunk(const cv::Mat& values, const cv::Mat& by) {
   return above + below;
 }
 
-/// [grey levels] standard deviation of the finest structure (Immerkaer 1996), by its median.
+/// [grey levels] standard deviation of the finest structure (Immerkaer 1996), from its median.
 double noise_of(const View& view) {
   cv::Mat grey, fine;
   cv::cvtColor(view.template_image, grey, cv::COLOR_BGR2GRAY);
@@ -74,7 +74,8 @@ double noise_of(const View& view) {
   return upper_quantile(cv::abs(fine), view.map, 0.5) / (cv::norm(kernel) * kNormalMedian);
 }
 
-/// Part of white noise's deviation that passes a Gaussian of `width` [px].
+/// Fraction of the standard deviation of white noise that remains after a Gaussian filter of
+/// `width` [px].
 double passed_by(double width) {
   return 1 / (2 * std::sqrt(kPi) * width);
 }
@@ -249,7 +250,7 @@ void SelfComparison::compare_surfaces(const Planes& turned, const cv::Mat& turne
 }
 
 double SelfComparison::noise_of_mark() const {
-  constexpr double kStrongest = 3;  // deviations, over the map and the colours
+  constexpr double kStrongest = 3;  // [standard deviations] of the largest over map and channels
   const double width = std::max(1.0, kMarkWidth * map_.scale() * map_.radius());
   return kStrongest * std::sqrt(2) * noise_ *
          passed_by(std::hypot(kSmoothing, width) / map_.scale());

@@ -20,11 +20,11 @@ class CentredMap {
   const cv::Mat& map() const { return map_; }
   double area() const { return static_cast<double>(points_.size()); }  ///< [px of the canvas]
 
-  /// Of the canvas to the view, turned by `angle` [rad] about the centroid and then moved by
-  /// `shift` [px of the canvas].
+  /// Transform from the canvas to the view, rotated by `angle` [rad] about the centroid and then
+  /// moved by `shift` [px of the canvas].
   cv::Matx23d to_view(double angle, cv::Vec2d shift = {}) const;
 
-  /// Part [0..1] of the map that it covers of itself when turned by `angle` [rad].
+  /// Part [0..1] of the map that the map covers after a rotation by `angle` [rad].
   double overlap(double angle) const;
 
  private:
@@ -38,18 +38,18 @@ class CentredMap {
 struct TurnDifference {
   double overlap = 0;  ///< [0..1] part of the map that the turned one covers
   double outline = 0;  ///< [px of the view] depth to which the outlines differ
-  double rest = 0;     ///< [grey levels] rms of the surface; shading aside, as below
-  double mark = 0;     ///< [grey levels] strongest local difference of the surface
+  double rest = 0;     ///< [grey levels] rms of the surface, without shading
+  double mark = 0;     ///< [grey levels] strongest local one, without shading
 };
 
 /// Compares outline and surface after a rotation. The angle is not fitted, because a symmetry angle
 /// is exact; the shift is the one that fits best.
 class SelfComparison {
  public:
-  /// `map` is that of `view` and outlives this.
+  /// `map` must be made from `view` and outlive this object.
   SelfComparison(const View& view, const CentredMap& map);
 
-  /// After a rotation by `angle` [rad].
+  /// The differences after a rotation by `angle` [rad].
   TurnDifference difference(double angle) const;
 
   double texture() const { return texture_; }  ///< [grey levels] rms of the surface
@@ -76,7 +76,7 @@ class SelfComparison {
   std::vector<cv::Mat> basis_;    // orthonormal smooth functions on inner_
   std::array<Planes, 2> slopes_;  // by x and y
   cv::Matx22d hessian_;
-  Planes misaligned_;  // [grey levels] explained by a small displacement
+  Planes misaligned_;  // [grey levels] largest change by a small misalignment
   double texture_ = 0, noise_ = 0;
 };
 

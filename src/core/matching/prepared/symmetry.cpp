@@ -12,11 +12,11 @@ namespace mbncc {
 namespace {
 
 // Limits of a certain symmetry.
-constexpr double kSureOutline = 0.03;  // depth, of the radius, ...
-constexpr double kWobble = 2;          // [px] ... but this much a map's edge may err, ...
-constexpr double kSmallWobble = 0.12;  // of the radius ... of small objects less
-constexpr double kSureMark = 4.5;      // [grey levels] beside noise
-constexpr double kDrawn = 0.06;        // of the texture: pixels render its edges no better
+constexpr double kSureOutline = 0.03;  // [radii] depth of the outline's difference, ...
+constexpr double kWobble = 2;          // [px] ... at least the error of a map's edge, ...
+constexpr double kSmallWobble = 0.12;  // [radii] ... limited for small objects
+constexpr double kSureMark = 4.5;      // [grey levels] in addition to noise
+constexpr double kDrawn = 0.06;        // of the texture: error of its edges by sampling
 
 // Limits of a near symmetry.
 constexpr double kNearOverlap = 0.9;
@@ -32,14 +32,15 @@ class Measurement {
   explicit Measurement(const View& view) : view_(view), map_(view) {}
 
   /// Whether the map covers itself after all rotations by multiples of 1/`order` turn. Inverse
-  /// rotations cover equally.
+  /// rotations give the same overlap.
   bool covers_itself(int order, double least_overlap) const {
     for (int k = 1; k <= order / 2; ++k)
       if (map_.overlap(angle(k, order)) < least_overlap) return false;
     return true;
   }
 
-  /// Outline and surface after those rotations: the weakest one counts. Stops below `least`.
+  /// The weakest result for outline and surface over these rotations. Stops as soon as it is below
+  /// `least`.
   Repeats with_order(int order, Repeats least = Repeats::kNearly) {
     Repeats weakest = Repeats::kSurely;
     for (int k = 1; k <= order / 2 && weakest >= least; ++k)
@@ -83,8 +84,8 @@ class Measurement {
 }  // namespace
 
 MeasuredSymmetry measure_symmetry(const View& view) {
-  constexpr int kAnyOrder = 23;       // of no polygon
-  constexpr double kRegained = 0.03;  // overlap, by the best shift
+  constexpr int kAnyOrder = 23;       // order that no polygon has
+  constexpr double kRegained = 0.03;  // overlap gained by the best shift
   Measurement measurement(view);
   if (measurement.covers_itself(kAnyOrder, kRoundOverlap)) {
     // Only the operator can decide whether a difference of the surface is a mark, an oblique side

@@ -15,15 +15,15 @@ namespace {
 
 constexpr int kUnit = ColourPrefilter::kUnit;
 constexpr float kMost = 2.5f;    // largest log-odds of one colour
-constexpr float kOther = 0.03f;  // share of any other colours on an object
+constexpr float kOther = 0.03f;  // fraction of arbitrary other colours on an object
 
 constexpr double kTelling = 0.5;  // least mean log-odds of an object's own colours for prefiltering
-constexpr double kEnough = -0.4;  // mean log-odds of a place
+constexpr double kEnough = -0.4;  // least mean log-odds of a place
 constexpr double kFewest = 0.02, kMostPlaces = 0.2;  // parts of the image that remain
 
 constexpr int kRowStep = 2;  // [cells]: places within one cell of the tested ones remain, too
 
-/// Log-likelihood ratio per class of object to image.
+/// Log-likelihood ratio [1/kUnit] of object to image, per colour class.
 std::vector<std::int8_t> compare(const imaging::ColourShares& object,
                                  const imaging::ColourShares& scene) {
   constexpr float kNever = 1e-6f;
@@ -49,7 +49,7 @@ cv::Mat cell_sums(const cv::Mat& classes, const std::vector<std::int8_t>& ratios
   return cells;
 }
 
-/// Totals left of each cell along its row, with `margin` cells like the border's around.
+/// Sums of the cells left of each cell in its row, after replicating the border by `margin` cells.
 cv::Mat running_sums(const cv::Mat& cells, int margin) {
   cv::Mat sums;
   cv::copyMakeBorder(cells, sums, margin, margin, margin, margin + 1, cv::BORDER_REPLICATE);
@@ -71,7 +71,7 @@ int level_for_area(double area) {
   return static_cast<int>(std::floor(0.5 * std::log2(std::max(1.0, area / kCells))));
 }
 
-/// Side of the cells, which limits the number of cells of the object.
+/// Level of cells large enough to limit the number of cells of the object.
 int level_for_reach(double reach) {
   constexpr double kMostCells = 256;
   return static_cast<int>(std::ceil(std::log2(std::max(1.0, reach / kMostCells))));

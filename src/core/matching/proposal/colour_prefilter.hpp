@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour prefilter for libraries: places where an object may lie by its colours alone, at any
-// rotation.
+// Colour prefilter for libraries: places where an object may lie judging by its colours alone,
+// at any rotation.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ namespace mbncc::proposal {
 
 class ColourPrefilter {
  public:
-  /// `surface` is the image under `map`, continued outwards; `anchor` [px] as of the view.
+  /// `surface`: image whose surface under `map` is extrapolated outwards. `anchor` [px] and
+  /// `mean_width` [px]: those of the view.
   ColourPrefilter(const cv::Mat& surface, const cv::Mat& map, cv::Point2d anchor,
                   double mean_width);
 
@@ -25,8 +26,8 @@ class ColourPrefilter {
   /// The coarsest pyramid level that is used.
   int level() const { return class_level_; }
 
-  /// Places where the colours under the map are more likely the object's than the image's.
-  /// Everywhere if the object's colours are common in the image.
+  /// Places where the colours under the map may be the object's rather than the image's. Everywhere
+  /// if the object's colours are common in the image.
   SearchMask places(const imaging::ClassImages& scene) const;
 
   /// Per class of colour, the log-likelihood ratio [1/kUnit] of object to image.

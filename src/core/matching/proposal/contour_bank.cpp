@@ -24,13 +24,14 @@ constexpr double kNarrowArcStep = 1.3;  // ... of objects narrower than a step
 constexpr double kNarrow = 3.5;         // [px] mean width there below which objects are narrow
 
 int orientation_of(float normal_x, float normal_y) {
-  const double turns = std::atan2(normal_y, normal_x) / kPi;  // of half a turn
+  const double turns = std::atan2(normal_y, normal_x) / kPi;  // [half turns]
   const int bin = static_cast<int>(std::lround(turns * kOrientations));
   return ((bin % kOrientations) + kOrientations) % kOrientations;
 }
 
-/// The points' indices in their order around the outline's centre. A run of them is what something
-/// may cover: both sides of a narrow part, which lie far apart along the outline.
+/// Indices of the points ordered by their angle around the outline's centre. In this order, an
+/// occluder covers a contiguous run even if it covers both sides of a narrow part, which lie far
+/// apart along the outline.
 std::vector<std::size_t> in_order_around(const templates::ContourTemplate& contour) {
   std::vector<std::size_t> order(contour.size());
   std::iota(order.begin(), order.end(), 0);

@@ -18,12 +18,12 @@ constexpr int kStep = scene::ResponseMaps::kStep;
 constexpr int kUnit = kernels::kMaxResponse;  // response 1 in the maps
 constexpr int kBand = PeakFinder::kBand;
 
-constexpr double kMinResponse = 0.2;  // [-1..1] mean of a candidate
+constexpr double kMinResponse = 0.2;  // [-1..1] least mean response of a candidate
 
 /// Positions of a row whose responses at all rotations fit into the L1 cache.
 constexpr int kAtATime = 2 * kernels::kPositions;
 
-constexpr int kParts = 4;  // of an outline, of which one may be covered
+constexpr int kParts = 4;  // parts of an outline; one of them may be covered
 
 double share(OutlinePart part) {
   return part == OutlinePart::kThreeQuarters ? double(kParts - 1) / kParts : 1;
@@ -44,7 +44,7 @@ class EdgeSearch {
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
               (roi.br().y - first_.y + kStep - 1) / kStep),
         maps_(scene.responses(bank.radius() + 1)) {
-    // The last row has no positions: the rows above it are complete with their neighbours.
+    // The additional last row has no positions, so that every row above it has both neighbours.
     cv::copyMakeBorder(places.of_positions(bank.level(), first_, kStep, size_), wanted_, 0,
                        whole(size_.height + 1, kBand) - size_.height, 0,
                        whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
@@ -66,7 +66,8 @@ class EdgeSearch {
     bool before = false;
     for (int y = 0; y < wanted_.rows; y += kBand) {
       const bool wanted = cv::countNonZero(wanted_.rowRange(y, y + kBand)) > 0;
-      if (!std::exchange(before, wanted) && !wanted) continue;  // nothing, nor in what is kept
+      if (!std::exchange(before, wanted) && !wanted)
+        continue;  // nor in the rows kept from the last band
       sum_band(y);
       for (auto& part : sectors_) part.add_peaks(least, y, peaks);
       if (peaks.size() > 2 * most) least = keep_best(peaks, most);
@@ -95,7 +96,7 @@ class EdgeSearch {
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
 
-  /// Keeps the best `most`. Returns the least sum of further peaks.
+  /// Keeps the best `most` peaks. Returns the least sum that further peaks need.
   static std::int16_t keep_best(std::vector<ResponsePeak>& peaks, std::size_t most) {
     if (peaks.size() <= most) return 1;
     const auto end = put_best_first(peaks, most);
@@ -107,8 +108,8 @@ class EdgeSearch {
     return sum;
   }
 
-  /// The best `foremost` peaks without a better neighbour in the same quarter turn, in order, so
-  /// that they cover different places.
+  /// Moves peaks without a better neighbour in the same quarter turn to the front, best first, so
+  /// that the first `foremost` cover different places.
   void put_foremost_first(std::vector<ResponsePeak>& peaks, std::size_t foremost) const {
     constexpr std::size_t kPerPlace = 4;
     const auto looked_at = put_best_first(peaks, kPerPlace * foremost);
@@ -118,8 +119,8 @@ class EdgeSearch {
                           [&](const ResponsePeak& peak) { return is_foremost(peak, quarters); });
   }
 
-  /// Whether no better peak, tested before, is a neighbour in its quarter turn: `quarters` has the
-  /// bits of those that are.
+  /// Whether no better peak is a neighbour in the same quarter turn. Peaks must be tested best
+  /// first; `quarters` stores, per position, a bit for each quarter turn with a tested neighbour.
   bool is_foremost(const ResponsePeak& peak, cv::Mat& quarters) const {
     const auto quarter =
         static_cast<uchar>(1 << 4 * peak.rotation() / static_cast<int>(bank_.rotations().size()));
@@ -136,10 +137,10 @@ class EdgeSearch {
   }
 
   const ContourBank& bank_;
-  double scale_;     // sum of responses that are 1
+  double scale_;     // sum of the responses of a rotation if all are 1
   cv::Point first_;  // [px] first position, even
   cv::Size size_;    // of the positions
-  cv::Mat wanted_;   // CV_8UC1, the positions searched; whole groups and bands
+  cv::Mat wanted_;   // CV_8UC1, the positions to search, padded to whole groups and bands
   std::shared_ptr<const scene::ResponseMaps> maps_;
   std::array<PeakFinder, 16> sectors_;
 };

@@ -17,11 +17,12 @@ namespace mbncc::proposal {
 /// Part of an outline whose mean response counts.
 enum class OutlinePart {
   kWhole,
-  kThreeQuarters,  ///< those that fit best: the fourth may be covered
+  kThreeQuarters,  ///< the three that fit best; the fourth may be covered
 };
 
-/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`, the best
-/// `foremost` of them first and in order; value: mean response [-1..1]. `scene` is that level.
+/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`. The best
+/// `foremost` of them come first and in order. Value: mean response [-1..1]. `scene` is the bank's
+/// level.
 std::vector<templates::Candidate> edge_search(const ContourBank& bank,
                                               const scene::SceneLevel& scene, const cv::Rect& roi,
                                               std::size_t foremost, std::size_t most,

@@ -70,11 +70,12 @@ class CoarseSearch {
 
  private:
   static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, correlated at a time
-  static constexpr int kPart = 16;                        // of a block with a common decision
+  static constexpr int kPart = 16;  // positions of a block with a common decision
 
-  /// All rotations at `count` positions of a row, into `best_`. A rotation is computed completely
-  /// only where its numerator can reach the threshold or the best so far, unless the image's
-  /// variance under it is much smaller than under the last complete rotation.
+  /// Correlates all rotations at `count` positions of a row and updates `best_`. A rotation is
+  /// normalised only where its numerator can reach the threshold or the best value so far, assuming
+  /// that the image's variance under it is not much smaller than under the last normalised
+  /// rotation.
   void correlate_block(int x, int y, int count, double threshold) {
     float* best = best_.ptr<float>(y) + x;
     const std::size_t start = image_.index(roi_.x + x, roi_.y + y);

@@ -15,13 +15,13 @@ namespace mbncc::proposal {
 
 struct CoarseSettings {
   double min_similarity = 0.3;   ///< [-1..1] of a candidate
-  int max_places = 100;          ///< best places kept
+  int max_places = 100;          ///< number of best places kept
   double rotation_slack = 0.12;  ///< further rotations at a place are kept within this difference
 };
 
-/// Local maxima over positions in `roi` [px at the bank's level] and `places` and over rotations in
-/// `sector`. `image` is that level, with a margin of more than the bank's radius; `roi` lies in
-/// it.
+/// Local maxima of the similarity over positions in `roi` [px at the bank's level] and `places` and
+/// over rotations in `sector`. `image` is the bank's level, with a margin of more than the bank's
+/// radius; `roi` lies in it.
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
                                                 const cv::Rect& roi,

@@ -8,8 +8,8 @@
 namespace mbncc::proposal {
 namespace {
 
-/// 1 in `marked` where a value of `row` is at least `least` and no neighbour exceeds it, of
-/// `count`. `columns` has room for two more.
+/// Sets `marked` to 1 where a value of `row` is at least `least` and no neighbour exceeds it, else
+/// to 0. The rows have `count` values, `columns` has `count` + 2.
 MBNCC_CLONES
 void mark_peaks(const std::int16_t* __restrict above, const std::int16_t* __restrict row,
                 const std::int16_t* __restrict below, int count, std::int16_t least,
@@ -25,7 +25,7 @@ void mark_peaks(const std::int16_t* __restrict above, const std::int16_t* __rest
   }
 }
 
-/// Sets unwanted values of `count` to 0.
+/// Sets the values of `row` to 0 where `wanted` is 0.
 MBNCC_CLONES
 void keep_wanted(const std::uint8_t* __restrict wanted, int count, std::int16_t* __restrict row) {
   for (int x = 0; x < count; ++x) row[x] = wanted[x] != 0 ? row[x] : std::int16_t{0};

@@ -32,19 +32,20 @@ class ResponsePeak {
   std::uint64_t packed_;
 };
 
-/// Puts the best `count` of all first, in no order, and returns their end.
+/// Moves the best `count` peaks to the front, unordered, and returns their end.
 std::vector<ResponsePeak>::iterator put_best_first(std::vector<ResponsePeak>& peaks,
                                                    std::size_t count);
 
-/// The best of a part of the rotations at the positions of a few rows, because outlines often fit
-/// at several rotations, and only the surface distinguishes them.
+/// Finds the best of a range of rotations at each position of a few rows. There is one finder per
+/// range, because outlines often fit at several rotations that only the surface distinguishes.
 class PeakFinder {
  public:
   static constexpr int kBand = kernels::kResponseRows;  ///< rows computed at a time
 
-  /// Of `width` positions per row.
+  /// Sets the number of positions per row.
   void set_width(int width);
-  /// The sums leave out the least of so many parts of a rotation's points; 1: none.
+  /// Splits the points of a rotation into `parts` parts, of which the sums leave out the least; 1:
+  /// none is left out.
   void set_parts(int parts) { parts_ = parts; }
 
   void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
@@ -53,15 +54,16 @@ class PeakFinder {
   /// Advances to the next band; keeps the last rows of this one as its neighbours.
   void next_band();
 
-  /// Sums at `count` positions, whole groups, from `x` on in the rows of the band; `maps` points at
-  /// the first.
+  /// Sums the responses at `count` positions (whole groups) from `x` on in the rows of the band.
+  /// `maps` points to the response at the first position.
   void sum_responses(const std::int8_t* maps, int stride, int x, int count);
 
   /// Clears positions outside the search: row `row` of the band where `wanted` is 0.
   void keep(int row, const std::uint8_t* wanted);
 
-  /// Adds positions of at least `least` that no neighbour exceeds, in the rows whose neighbours are
-  /// known: from one above the band, whose first row is `y`, to its last but one.
+  /// Adds the positions with a sum of at least `least` that no neighbour exceeds, in the rows whose
+  /// neighbours are known: from the row above the band to its last but one. `y` is the band's first
+  /// row.
   void add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>& peaks);
 
  private:
@@ -69,10 +71,10 @@ class PeakFinder {
   static constexpr int kRows = kKept + kBand;
 
   std::vector<std::int32_t> offsets_;              // of all points of the rotations
-  std::vector<std::int16_t> labels_of_rotations_;  // their indices
+  std::vector<std::int16_t> labels_of_rotations_;  // indices of the rotations
   int terms_ = 0, parts_ = 1, width_ = 0;
-  std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums, and whose they are
-  std::vector<std::int16_t> column_;         // largest of three rows, with one more on each side
+  std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums and their rotations
+  std::vector<std::int16_t> column_;         // largest of three rows, one more on each side
   std::vector<std::uint8_t> marked_;         // 1: peaks of a row
 };
 

@@ -28,7 +28,7 @@ std::vector<Span> covering_spans(const uchar* row, int count, int group) {
     while (spans.back().end <= x) spans.back().end += group;
     x = spans.back().end - 1;
   }
-  // The last one may reach beyond the row: it starts earlier then.
+  // A last span that would end beyond the row starts earlier instead.
   if (!spans.empty() && spans.back().end > count) {
     const int length = spans.back().end - spans.back().begin;
     spans.back() = {std::max(0, count - length), std::max(count, length)};

@@ -16,7 +16,7 @@ class SearchMask {
 
   bool everywhere() const { return mask_.empty(); }
 
-  /// CV_8UC1 of size `count`: 255 at the positions `first` + `step` (column, row) [px at `level`]
+  /// CV_8UC1 of size `count`: 255 at the positions `first` + `step` * (column, row) [px at `level`]
   /// inside the mask, otherwise 0.
   cv::Mat of_positions(int level, cv::Point first, int step, cv::Size count) const;
 
@@ -30,8 +30,8 @@ struct Span {
   int begin, end;
 };
 
-/// Spans of whole groups of `group` positions that cover the nonzero values in a row of `count`,
-/// itself a number of whole groups, or fewer than one.
+/// Spans of whole groups of `group` positions that cover the nonzero values in a row of `count`
+/// values. The last span ends beyond the row only if it is longer than the row.
 std::vector<Span> covering_spans(const uchar* row, int count, int group);
 
 }  // namespace mbncc::proposal

@@ -15,15 +15,15 @@ namespace mbncc::proposal {
 namespace {
 
 constexpr int kTopLevel = 5;
-constexpr int kMinPixels = 36;  // fewer match by chance everywhere ...
-constexpr int kFewPixels = 14;  // ... but levels as fine as kFineLevel cost too much without need
+constexpr int kMinPixels = 36;  // fewer pixels match by chance everywhere, ...
+constexpr int kFewPixels = 14;  // ... but suffice from kFineLevel on: finer levels are slow
 constexpr int kFineLevel = 2;
 constexpr int kMostRadius = 256;   // [px] of the rotated template: limits its memory
-constexpr float kCoverage = 0.6f;  // [0..1] of a pixel in the map
+constexpr float kCoverage = 0.6f;  // [0..1] least part of a pixel inside the map
 constexpr double kArcStep = 2.6;   // [px] that the rim moves per rotation step
-constexpr int kOversampling = 4;   // samples per pixel side when turning
-constexpr int kWhole = 65;         // [px] images of more are turned ...
-constexpr int kTile = 16;          // ... in squares of that side, where the template is
+constexpr int kOversampling = 4;   // samples per pixel side when rotating
+constexpr int kWhole = 65;         // [px] larger images are rotated ...
+constexpr int kTile = 16;          // [px] ... in tiles of this side, where the template is
 
 /// Template and map at a level finer than the coarse one, for rotation.
 struct Source {
@@ -41,7 +41,7 @@ Source turning_source(const cv::Mat& grey, const cv::Mat& map, cv::Point2d ancho
   return {source.coverage, both, imaging::to_level(anchor, level - finer), 1 << finer};
 }
 
-/// Samples of the square `tile` of fine pixels may lie in an image of `size`.
+/// Whether samples of the fine pixels in `tile` may lie in an image of `size`.
 bool may_touch(const cv::Matx23d& to_source, const cv::Rect& tile, cv::Size size) {
   const cv::Point2d middle = 0.5 * cv::Point2d(tile.tl() + tile.br());
   const cv::Vec2d at = to_source * cv::Vec3d(middle.x, middle.y, 1);
@@ -157,7 +157,7 @@ RotatedKernel turned_map(const Source& source, double angle, int radius) {
   return kernel;
 }
 
-/// `count` rotations, evenly over a turn.
+/// Kernels at `count` rotations, evenly spaced over a turn.
 numeric::Lazy<std::vector<RotatedKernel>> turned_by(RotatedKernel (*turn)(const Source&, double,
                                                                           int),
                                                     const Source& source, int radius, int count) {

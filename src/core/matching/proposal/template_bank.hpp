@@ -10,7 +10,7 @@
 
 namespace mbncc::proposal {
 
-/// One rotation of the template; only pixels well inside the map.
+/// One rotation of the template, with the pixels well inside the map only.
 struct RotatedKernel {
   /// Pixels [begin, end) of one row.
   struct Run {
@@ -20,17 +20,17 @@ struct RotatedKernel {
   double angle = 0;                   ///< [rad]
   std::vector<cv::Point> pixels;      ///< relative to the anchor's pixel
   std::vector<std::int16_t> weights;  ///< one per pixel, sum 0
-  std::vector<Run> runs;              ///< the same pixels as rows
+  std::vector<Run> runs;              ///< `pixels` as runs of rows
   double norm = 0;                    ///< sqrt(sum of squared weights)
 };
 
 struct TemplateBank {
   int level = 0;   ///< of the pyramid
-  int radius = 0;  ///< [px at level] no pixel lies farther from the anchor in x or y
-  numeric::Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly over a turn
+  int radius = 0;  ///< [px at level] largest distance of a pixel from the anchor in x or y
+  numeric::Lazy<std::vector<RotatedKernel>> kernels;  ///< evenly spaced over a turn
 
-  /// Thin objects would be correlated at finer levels, which takes up to the time of one
-  /// cv::matchTemplate and found nothing in drawn images.
+  /// Whether the bank is used for the search. Thin objects would be correlated at finer levels,
+  /// which takes up to the time of one cv::matchTemplate and found nothing in drawn images.
   bool searched() const { return level >= 2; }
 };
 
@@ -39,8 +39,8 @@ struct TemplateBank {
 /// kernels, at level 0, for a map so long and thin that they would be too many and too large.
 TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor);
 
-/// Only the map at `level`, at `count` rotations: pixels at least half covered, or fewer
-/// parts of them where the map is narrower than a pixel. Without weights.
+/// The map at `level` and at `count` rotations, without weights: the pixels that it covers by at
+/// least half, or by at least a quarter if the map is narrower than a pixel.
 TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count);
 
 }  // namespace mbncc::proposal
