@@ -7,7 +7,7 @@
 namespace mbncc::decision {
 
 bool at_one_place(const Detection& a, const Detection& b) {
-  constexpr double kApart = 0.4;  // of the radius
+  constexpr double kApart = 0.4;  // [radii] largest distance of one place
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
 }
 

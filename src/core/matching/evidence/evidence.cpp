@@ -15,7 +15,7 @@ namespace mbncc::evidence {
 namespace {
 
 constexpr double kLargeArea = 1800;      // [px] beyond it, size no longer reduces chance matches
-constexpr double kTrimmedWeight = 4.28;  // of Evidence::trimmed_residual in log_odds()
+constexpr double kTrimmedWeight = 4.28;  // weight of Evidence::trimmed_residual in log_odds()
 
 double log_trimmed(double residual) {
   return std::log(residual + 3);

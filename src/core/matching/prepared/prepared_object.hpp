@@ -29,7 +29,7 @@ enum class Engine { kFast, kPolar };
 
 /// An object in two sizes other than the learned one.
 struct ResizedTemplates {
-  double scale;                     ///< of `near`; heights and tilts can cause it
+  double scale;                     ///< scale of `near`, which heights and tilts can cause
   templates::PoseTemplate near;     ///< at `scale`
   templates::PoseTemplate farther;  ///< twice as far from the learned size
 };

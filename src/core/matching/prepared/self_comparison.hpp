@@ -36,7 +36,7 @@ class CentredMap {
 
 /// Differences after a rotation.
 struct TurnDifference {
-  double overlap = 0;  ///< [0..1] part of the map that the turned one covers
+  double overlap = 0;  ///< [0..1] part of the map that the rotated map covers
   double outline = 0;  ///< [px of the view] depth to which the outlines differ
   double rest = 0;     ///< [grey levels] rms of the surface, without shading
   double mark = 0;     ///< [grey levels] strongest local one, without shading
@@ -74,7 +74,7 @@ class SelfComparison {
   cv::Mat inner_;                 // CV_8UC1, the map without its rim
   cv::Mat outside_, inside_;      // CV_32FC1 [px] distances to the map, to its background
   std::vector<cv::Mat> basis_;    // orthonormal smooth functions on inner_
-  std::array<Planes, 2> slopes_;  // by x and y
+  std::array<Planes, 2> slopes_;  // derivatives by x and y
   cv::Matx22d hessian_;
   Planes misaligned_;  // [grey levels] largest change by a small misalignment
   double texture_ = 0, noise_ = 0;

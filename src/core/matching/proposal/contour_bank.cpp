@@ -14,14 +14,14 @@ namespace {
 
 constexpr int kOrientations = scene::ResponseMaps::kOrientations;
 
-constexpr std::size_t kPoints = 64;  // of the contour
-constexpr double kSmallest = 20;     // [px] diameter at the coarse level
-constexpr double kThinnest = 2;      // [px] mean width there
-constexpr double kLargest = 2048;    // [px] diameter there: limits rotations and margins
+constexpr std::size_t kPoints = 64;  // number of contour points
+constexpr double kSmallest = 20;     // [px at the coarse level] least diameter
+constexpr double kThinnest = 2;      // [px at the coarse level] least mean width
+constexpr double kLargest = 2048;    // [px at the coarse level] bounds rotations and margins
 constexpr int kTopLevel = 4;
 constexpr double kArcStep = 2;          // [px] that the rim moves per rotation step, ...
 constexpr double kNarrowArcStep = 1.3;  // ... of objects narrower than a step
-constexpr double kNarrow = 3.5;         // [px] mean width there below which objects are narrow
+constexpr double kNarrow = 3.5;  // [px at the coarse level] mean width of narrow objects, at most
 
 int orientation_of(float normal_x, float normal_y) {
   const double turns = std::atan2(normal_y, normal_x) / kPi;  // [half turns]

@@ -69,7 +69,7 @@ class CoarseSearch {
   }
 
  private:
-  static constexpr int kBlock = 2 * kernels::kPositions;  // of a row, correlated at a time
+  static constexpr int kBlock = 2 * kernels::kPositions;  // positions of a row correlated at a time
   static constexpr int kPart = 16;  // positions of a block with a common decision
 
   /// Correlates all rotations at `count` positions of a row and updates `best_`. A rotation is

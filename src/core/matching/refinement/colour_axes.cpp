@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kChannels = templates::SurfaceTemplate::kChannels;
 
-/// Valid until the next call.
+/// Elementwise product, valid until the next call.
 const std::vector<float>& multiplied(const std::vector<float>& a, const float* b) {
   thread_local std::vector<float> products;
   products.resize(a.size());
@@ -43,7 +43,7 @@ ColourAxes::ColourAxes(const templates::SurfaceTemplate& surface,
 
 /// Shading multiplies a colour, except for the camera's offset.
 void ColourAxes::choose_directions(const templates::SurfaceTemplate& surface) {
-  constexpr double kAdded = 30;  // [grey] also steadies the axes of dark points
+  constexpr double kAdded = 30;  // [grey levels] also stabilises the axes of dark points
   for (auto& axis : axes_)
     for (auto& part : axis.direction) part.assign(surface.padded(), 0.f);
   for (std::size_t i = 0; i < surface.size(); ++i) {
@@ -118,7 +118,7 @@ double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders
 }
 
 double ColourAxes::reliability(int axis, double noise) const {
-  constexpr double kSlopeNoise = 0.355;  // of the noise, in slopes over two pixels after smoothing
+  constexpr double kSlopeNoise = 0.355;  // part of the noise in slopes over 2 px after smoothing
   constexpr double kLeast = 0.05;
   return std::max(kLeast, 1 - 2 * count_ * kSlopeNoise * noise / (axes_[axis].energy + 1e-9));
 }

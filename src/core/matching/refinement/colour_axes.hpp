@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of a surface along axes per point: brightness, which shading changes, and two
-// orthogonal to it, which shading does not change.
+// The colours of a surface along three axes per point: brightness, which shading changes, and two
+// axes orthogonal to it, which shading does not change.
 #pragma once
 
 #include <array>
@@ -18,20 +18,20 @@ class ColourAxes {
 
   ColourAxes() = default;
 
-  /// Of the points of `surface`, whose slopes are read from `image`.
+  /// Axes at the points of `surface`. Their slopes are read from `image`.
   ColourAxes(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& image);
 
-  /// Residual of `sample` along an axis after template, smooth shading and an even tint, one value
-  /// per point, padded.
+  /// Residual of `sample` along an axis, one value per point, padded. Smooth shading is projected
+  /// out, and so is the template along brightness, or a uniform tint along the other axes.
   void remainder(int axis, const templates::ShadingBasis& shading,
                  const templates::SurfaceSample& sample, std::vector<float>& values) const;
 
-  /// Mean square [grey^2] of the lesson's noise orthogonal to brightness: the template's part that
-  /// is missing in an image with these residuals and `gain` times its contrast.
+  /// Mean square [grey^2] of the lesson's noise orthogonal to brightness: the part of the template
+  /// that is missing in an image with these residuals and `gain` times the template's contrast.
   double noise(const std::array<std::vector<float>, kAxes>& remainders,
                const std::vector<float>& weights, double gain) const;
 
-  /// [0..1] Part of the slopes along an axis that is not caused by this noise.
+  /// [0..1] Part of the slopes along an axis that is not caused by `noise`, see noise().
   double reliability(int axis, double noise) const;
 
   /// Normal equations summed over the points with their `weights`, from these residuals and the
@@ -44,7 +44,7 @@ class ColourAxes {
     std::array<std::vector<float>, templates::SurfaceTemplate::kChannels>
         direction;              // unit, of b, g, r
     std::vector<float> even;    // unit row: the template along brightness, white light across it
-    std::vector<float> shown;   // by the template; nothing along brightness
+    std::vector<float> shown;   // remainder() of the template; 0 along brightness
     std::vector<float> slopes;  // kMotionParts rows, orthogonal to shading and `even`
     double energy = 0;          // of the slopes along x and y
   };
@@ -56,7 +56,7 @@ class ColourAxes {
                   const templates::SurfaceTemplate::Slopes& slopes);
 
   std::array<Axis, kAxes> axes_;
-  double count_ = 0;  // of points
+  double count_ = 0;  // number of points
 };
 
 }  // namespace mbncc::refinement

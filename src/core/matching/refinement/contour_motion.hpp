@@ -19,7 +19,7 @@ class ContourMotion {
 
  private:
   std::size_t padded_ = 0;
-  std::vector<float> rows_;  // kMotionParts of padded_ values
+  std::vector<float> rows_;  // kMotionParts rows of padded_ values
 };
 
 }  // namespace mbncc::refinement

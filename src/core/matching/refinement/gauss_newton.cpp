@@ -9,8 +9,8 @@ namespace mbncc::refinement {
 namespace {
 
 constexpr double kNoise = 60;        // [grey^2] regularises plain surfaces
-constexpr double kMaxStep = 1.5;     // [px] of one step, at the rim for a turn
-constexpr double kSmallStep = 0.01;  // [px] ends the alignment
+constexpr double kMaxStep = 1.5;     // [px] largest step; of a rotation, at the rim
+constexpr double kSmallStep = 0.01;  // [px] a smaller step ends the alignment
 constexpr int kReach = 2;            // [px] search range for edges along the normals
 
 /// Adds the normal equations of the surface: the motion that explains the residual by the
@@ -58,7 +58,7 @@ class Aligner {
   AlignedPose run(const Pose2D& start, int iterations) {
     AlignedPose best{start, -2};
     Pose2D pose = start;
-    // The last reading is only for its value, which does not depend on distant edges.
+    // Only the value is needed at the last pose. It does not depend on distant edges.
     for (int k = 0; linearise(pose, k == iterations ? 1 : kReach); ++k) {
       at_best_ = value_ > best.value;
       if (at_best_) best = {pose, value_};
@@ -104,8 +104,8 @@ class Aligner {
   const templates::PoseTemplate& object_;
   const scene::SceneLevel& scene_;
   templates::PoseSample& sample_;        // at the last linearisation
-  double correlation_ = 0, value_ = -2;  // there
-  bool at_best_ = false;                 // it is the best one
+  double correlation_ = 0, value_ = -2;  // at the last linearisation
+  bool at_best_ = false;                 // `sample_` was read at the best pose
 };
 
 }  // namespace

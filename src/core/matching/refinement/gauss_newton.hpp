@@ -18,13 +18,13 @@ struct AlignedPose {
 AlignedPose align(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                   const Pose2D& start, int iterations);
 
-/// A reached pose with its evidence, computed from the last reading.
+/// A pose reached by alignment, with its evidence.
 struct ScoredPose {
   Pose2D pose;
   evidence::Evidence evidence;
 };
 
-/// Like align().
+/// Like align(), with the evidence at the returned pose.
 ScoredPose align_and_score(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                            const Pose2D& start, int iterations);
 

@@ -7,7 +7,8 @@
 namespace mbncc::refinement {
 namespace {
 
-/// Displacement by light: [px] in even light, and a share of that by shading.
+/// Standard deviation of the displacement by light: `even` [px] in even light, combined with
+/// `share` of the displacement by shading.
 struct BiasModel {
   double even, share;
 
@@ -18,7 +19,7 @@ constexpr BiasModel kBrightness{0.005, 0.075}, kContour{0.03, 0.17};
 constexpr BiasModel kPlace{0.002, 0.12}, kRim{0.003, 0.05};
 
 constexpr double kPlain = 1;    // [grey^2 / px^2] bounds the displacement of plain surfaces
-constexpr double kEven = 0.03;  // [px^2] gradients of even light displace nothing
+constexpr double kEven = 0.03;  // [px^2] shading of even light, which displaces nothing
 
 }  // namespace
 

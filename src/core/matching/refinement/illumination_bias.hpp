@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Bias of a pose by light that does not rotate with the object.
+// Bias of a pose caused by light that does not rotate with the object.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -14,14 +14,14 @@ class IlluminationBias {
  public:
   IlluminationBias() = default;
 
-  /// For a surface seen with `contrast`, the image's relative to the template's.
+  /// For a surface in an image with `contrast` relative to the template.
   IlluminationBias(const templates::SurfaceTemplate& surface, const templates::SurfaceSample& seen,
                    double contrast);
 
-  double of_brightness() const;  ///< [px] deviation
-  double of_contour() const;     ///< [px] likewise
+  double of_brightness() const;  ///< [px] standard deviation from the brightness alone
+  double of_contour() const;     ///< [px] standard deviation from the contour alone
 
-  /// Total, for x, y, theta [px^2, rad^2] of an object of this radius [px].
+  /// Covariance of the whole pose (x, y, theta) [px^2, rad^2] for an object of `radius` [px].
   cv::Matx33d of_pose(double radius) const;
 
  private:

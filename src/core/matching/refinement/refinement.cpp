@@ -13,14 +13,14 @@ namespace mbncc::refinement {
 namespace {
 
 constexpr int kReach = 2;               // [px] search range for edges along the normals, ...
-constexpr int kFarReach = 5;            // ... and for a half of the object
-constexpr double kSmallStep = 0.01;     // [px] ends the refinement
-constexpr double kFarthest = 1.5;       // [px] from the start, and at the rim by turning
-constexpr double kScalePrior = 0.02;    // deviation caused by heights and tilts
+constexpr int kFarReach = 5;            // ... and when halves of the object are compared
+constexpr double kSmallStep = 0.01;     // [px] a smaller step ends the refinement
+constexpr double kFarthest = 1.5;       // [px] farthest from the start; of a rotation, at the rim
+constexpr double kScalePrior = 0.02;    // standard deviation caused by heights and tilts
 constexpr double kLeastScale = 0.006;   // least deviation from 1 that is reported, ...
 constexpr double kScaleDeviations = 5;  // ... and in standard deviations
-constexpr double kMostScale = 0.08;     // beyond it, it is another object
-constexpr double kFixedScale = 1e-6;    // deviation that fixes the scale
+constexpr double kMostScale = 0.08;     // a larger deviation means another object
+constexpr double kFixedScale = 1e-6;    // standard deviation that fixes the scale
 
 class Refiner {
  public:
@@ -108,7 +108,7 @@ class Refiner {
     return information(scale_deviation).inv() * towards;
   }
 
-  /// From 1, where the present solution lies.
+  /// Whether the scale of the current solution differs significantly from 1.
   bool scale_differs() const {
     const double off = std::abs(scale_ / (1 + solution(kScalePrior)[3]) - 1);
     const double deviation = std::sqrt(information(kScalePrior).inv()(3, 3));
@@ -142,9 +142,9 @@ class Refiner {
   double first_scale_, scale_, scale_deviation_ = kFixedScale;
   Samples& samples_ = samples();
   numeric::NormalEquations pull_, edges_;  // at the last linearisation
-  double contrast_ = 1;                    // there
-  double unclaimed_ = 0;                   // [px^2] their random-effects variance, there
-  IlluminationBias displacement_;          // there
+  double contrast_ = 1;                    // of the image relative to the template
+  double unclaimed_ = 0;                   // [px^2] random-effects variance of the cues
+  IlluminationBias displacement_;          // at the last linearisation
 };
 
 /// Builds the normal equations of surface and contour at the pose. False if too little is visible.
@@ -190,7 +190,7 @@ numeric::NormalEquations Refiner::half_pull(double x, double y) {
 }
 
 /// [px^2] Variance between halves of the object, split along the image's rows and columns, beyond
-/// their covariances: in an image torn while the object moved, a half is displaced.
+/// their covariances: in an image that is torn by motion, one half is displaced.
 double Refiner::halves_apart() {
   read_edges(kFarReach);
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
@@ -205,8 +205,8 @@ double Refiner::halves_apart() {
 }
 
 numeric::NormalEquations Refiner::edges_pull(const templates::ContourSample& sample) const {
-  constexpr double kScatter = 0.8;         // [px] of one contour point
-  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour that scatter alike
+  constexpr double kScatter = 0.8;         // [px] standard deviation of one contour point
+  constexpr double kCorrelatedPoints = 2;  // neighbours on the contour with equal errors
   const double scatter = kScatter * kScatter * kCorrelatedPoints;
   numeric::NormalEquations edges = object_.contour_motion.pull(sample);
   edges.information *= 1 / scatter;
@@ -216,7 +216,7 @@ numeric::NormalEquations Refiner::edges_pull(const templates::ContourSample& sam
 
 std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
     const std::vector<float>& weights) {
-  constexpr double kCorrelatedValues = 4;  // neighbours' noise is alike, by smoothing
+  constexpr double kCorrelatedValues = 4;  // neighbours with equal noise, by smoothing
   const SurfaceResiduals& remainders = samples_.remainders;
   const auto variances = remainders.variances();
   const double lesson_noise = object_.axes.noise(remainders.values, remainders.weights, contrast_);
@@ -233,10 +233,11 @@ std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
   return pulls;
 }
 
-/// Cameras blur and displace colour, some by pixels; estimated from its distance to the contour.
+/// Normal equations of the colour axes, marginalised over a displacement if they disagree with the
+/// contour: cameras blur and displace colour, some by pixels.
 numeric::NormalEquations Refiner::as_far_as_it_agrees(const numeric::NormalEquations& colour,
                                                       const numeric::NormalEquations& edges) const {
-  constexpr double kUsual = 0.3;  // [px] apart
+  constexpr double kUsual = 0.3;  // [px] distance between colour and contour
   numeric::RandomEffects two(radius());
   two.add(colour);
   two.add(edges);
@@ -245,18 +246,18 @@ numeric::NormalEquations Refiner::as_far_as_it_agrees(const numeric::NormalEquat
                         : colour;
 }
 
-/// Of the image's contrast by the template's.
+/// Contrast of the image relative to the template.
 double Refiner::gain() const {
-  constexpr double kPrior = 20;  // [grey^2] pulls that of plain surfaces to 1
+  constexpr double kPrior = 20;  // [grey^2] pulls the gain of plain surfaces to 1
   const templates::SurfaceTemplate& surface = object_.object.surface;
   const double energy = surface.mean_projected_energy();
   const double common = surface.contrast(samples_.surface) * energy;
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
 }
 
-/// `unclaimed` [px^2]: random-effects variance of cues or halves.
+/// Covariance of x, y, theta. `unclaimed` [px^2]: random-effects variance of cues or halves.
 cv::Matx33d Refiner::covariance(double unclaimed) const {
-  constexpr double kAlike = 3;  // factor, because the cause also displaces all of them together
+  constexpr double kAlike = 3;  // factor, because the cause also displaces all cues together
   const double rim = radius() * radius();
   const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
                                   displacement_.of_pose(radius()) +

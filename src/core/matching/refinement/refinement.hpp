@@ -26,17 +26,18 @@ struct Refined {
   Pose2D pose;
   double scale = 1;        ///< of the object, relative to the template
   cv::Matx33d covariance;  ///< of x, y, theta [px^2, px rad, rad^2]
-  cv::Matx33d cautious;    ///< the same, widened if halves of the object are displaced
+  cv::Matx33d cautious;    ///< `covariance`, widened if halves of the object are displaced
 };
 
-/// The unrefined pose with unknown accuracy: 100 px, a full turn.
+/// The unrefined pose with the covariance of unknown accuracy: 100 px, a full turn.
 Refined unknown_accuracy(const Pose2D& pose);
 
-/// Least squares from `start` [px, level 0], a pixel off at most, in up to `iterations` steps (0:
-/// the covariance alone) over the residuals of the surface along its colour axes and of the
-/// contour. Light may displace each of them, and relief the brightness; these shifts along x and y
-/// are marginalised. The scale, `scale` at the start, is 1 unless another one is significant. If
-/// the steps lead too far away, pose and scale are those of the start.
+/// Least squares over the residuals of the surface along its colour axes and of the contour, from
+/// `start` [px, level 0], which may be off by a pixel, and `scale`. `iterations`: largest number of
+/// steps; 0: only the covariance is computed. Light may displace contour and colours, and relief
+/// the brightness; these shifts along x and y are marginalised. The resulting scale is 1 unless
+/// another one is significant. If the steps lead too far away, pose and scale are those of the
+/// start.
 Refined refine(const RefinementTemplate& object, const scene::SceneLevel& scene,
                const Pose2D& start, int iterations, double scale = 1);
 

@@ -7,7 +7,7 @@ namespace mbncc::refinement {
 
 void SurfaceResiduals::read(const ColourAxes& axes, const templates::SurfaceTemplate& surface,
                             const templates::SurfaceSample& sample) {
-  constexpr float kUsual = 4;  // mean squares, in variances, that halve the weight
+  constexpr float kUsual = 4;  // [variances] mean square that halves the weight
   for (int axis = 0; axis < ColourAxes::kAxes; ++axis)
     axes.remainder(axis, surface.basis, sample, values[axis]);
   weights = sample.inside;
@@ -23,7 +23,7 @@ void SurfaceResiduals::read(const ColourAxes& axes, const templates::SurfaceTemp
 }
 
 SurfaceResiduals::Variances SurfaceResiduals::variances() const {
-  constexpr double kQuantised = 0.05;  // [grey^2] of the least noise
+  constexpr double kQuantised = 0.05;  // [grey^2] least noise, by quantisation
   Variances found{};
   double total = 0;
   for (std::size_t i = 0; i < weights.size(); ++i) {

@@ -16,11 +16,11 @@ struct SurfaceResiduals {
   std::array<std::vector<float>, ColourAxes::kAxes> values;
   std::vector<float> weights;  ///< [0..1] of the points
 
-  /// Reads the values and weights the points: covered or glossy ones have little weight.
+  /// Computes values and weights. Occluded and glossy points have little weight.
   void read(const ColourAxes& axes, const templates::SurfaceTemplate& surface,
             const templates::SurfaceSample& sample);
 
-  /// [grey^2] Along the axes, the same across brightness.
+  /// [grey^2] Variances along the axes; the two axes orthogonal to brightness have the same.
   Variances variances() const;
 };
 

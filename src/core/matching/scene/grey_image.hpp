@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Images that can be searched, in grey.
+// Checks images to search and converts them to grey.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -13,7 +13,7 @@ inline void check_type(const cv::Mat& image) {
     throw std::invalid_argument("an image to search must be 8-bit colour or grey");
 }
 
-/// The same, and unless it has at least 16 x 16 pixels.
+/// Like check_type(), and also throws if `image` is smaller than 16 x 16 pixels.
 inline void check_searchable(const cv::Mat& image) {
   constexpr int kSmallest = 16;
   check_type(image);
@@ -24,7 +24,7 @@ inline void check_searchable(const cv::Mat& image) {
 /// A searchable `image` as CV_8UC1.
 cv::Mat grey_image(const cv::Mat& image);
 
-/// A grey image, or one whose channels are equal everywhere, as of a grey camera.
+/// Whether `image` has one channel, or channels that are equal everywhere, as from a grey camera.
 bool is_grey(const cv::Mat& image);
 
 }  // namespace mbncc::scene

@@ -11,21 +11,22 @@ namespace mbncc::scene {
 template <class Padded>
 class PaddedCache {
  public:
-  /// With a margin of at least `margin` [px]. `source` is the same image until forget().
+  /// The data with a margin of at least `margin` [px]. `source` must be the same image until
+  /// forget().
   template <class Source>
   std::shared_ptr<const Padded> get(const Source& source, int margin) {
-    constexpr int kGrain = 16;  // few different margins, so that larger objects seldom need more
+    constexpr int kGrain = 16;  // steps of the margin, so that larger objects seldom need more
     const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
     const std::lock_guard<std::mutex> lock(filling_);
     if (valid_ && padded_->margin() >= wanted) return padded_;
-    // Users of the smaller one may still read it.
+    // Other searches may still read the data with the smaller margin.
     if (!padded_ || valid_) padded_ = std::make_shared<Padded>();
     padded_->fill(source, wanted);
     valid_ = true;
     return padded_;
   }
 
-  /// The next request has another image; the old one is no longer used.
+  /// Call before requests for another image, when data of the old one is no longer used.
   void forget() { valid_ = false; }
 
  private:

@@ -10,10 +10,10 @@ namespace mbncc::scene {
 namespace {
 
 constexpr int kOrientations = ResponseMaps::kOrientations;
-constexpr std::int8_t kUnseen = 7;  // computed beyond the border, for partly visible objects
+constexpr std::int8_t kUnseen = 7;  // response beyond the border, for partly visible objects
 
-/// Responses before they are spread, of three adjacent rows, continued by a pixel and more beyond
-/// the border.
+/// Responses of three adjacent rows before spreading, extended beyond the border by at least a
+/// pixel.
 class ResponseRows {
  public:
   explicit ResponseRows(const cv::Mat& edges) : edges_(edges) {
@@ -77,7 +77,7 @@ void ResponseMaps::fill(const cv::Mat& edges, int margin) {
   }
 }
 
-/// The padding does not change between images.
+/// Keeps the padding if it suffices, because it does not change between images.
 void ResponseMaps::make_room(cv::Size size, int margin) {
   if (size == size_ && margin <= margin_) return;
   size_ = size;

@@ -12,19 +12,20 @@ namespace mbncc::scene {
 /// four maps of every second pixel, so that adjacent search positions are adjacent in memory.
 class ResponseMaps {
  public:
-  static constexpr int kOrientations = 8;  ///< of a half turn
+  static constexpr int kOrientations = 8;  ///< number of orientations in a half turn
   static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
 
-  /// `edges` is as of smooth_and_find_edges(); `margin` [px] is even. Reuses the memory of the last
-  /// ones, and keeps their margin if that was larger.
+  /// `edges`: see smooth_and_find_edges(). `margin` [px] must be even. Reuses the memory of the
+  /// last call, and keeps its margin if that was larger.
   void fill(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }
-  int stride() const { return stride_; }  ///< from a position of the search to the one below
+  /// Index difference from a search position to the one below.
+  int stride() const { return stride_; }
   const std::int8_t* data() const { return values_.data(); }
 
-  /// Index of the response at a pixel. Relative to an even pixel it is offset() at the difference
-  /// minus offset() at 0.
+  /// Index of the response at a pixel. For a pixel p with even coordinates, offset(k, p + d) -
+  /// offset(0, p) is offset(k, d) - offset(0, 0).
   std::int32_t offset(int orientation, int x, int y) const {
     const int column = x + margin_, row = y + margin_;
     const int phase = kStep * (row % kStep) + column % kStep;

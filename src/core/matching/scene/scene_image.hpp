@@ -19,7 +19,7 @@ struct SceneImage {
   SceneImage() = default;
   SceneImage(const cv::Mat& image, int top_level);
 
-  /// Sets `image`, as for grey_image(), reusing the memory of the last one.
+  /// Sets `image`, which must meet check_searchable(), and reuses the memory of the last one.
   void show(const cv::Mat& image, int top_level);
   /// Releases the caller's image and keeps the memory.
   void forget();
@@ -27,16 +27,16 @@ struct SceneImage {
   int top_level() const { return static_cast<int>(grey.size()) - 1; }
   cv::Size size() const { return grey.front().size(); }
 
-  /// Of grey[level], with a margin of at least `margin` [px].
+  /// grey[level] with a margin of at least `margin` [px]. Thread-safe.
   std::shared_ptr<const imaging::PaddedImage> padded(int level, int margin) const {
     return padded_[level]->get(grey[level], margin);
   }
 
-  /// Input of the colour prefilters. Thread-safe.
+  /// Colour classes, the input of the colour prefilters. Thread-safe.
   const imaging::ClassImages& classes() const;
 
   std::vector<cv::Mat> grey;       ///< CV_8UC1 pyramid
-  std::vector<SceneLevel> levels;  ///< as many
+  std::vector<SceneLevel> levels;  ///< one per level of `grey`
 
  private:
   cv::Mat converted_;  // from colour to grey or back

@@ -14,8 +14,7 @@
 
 namespace mbncc::scene {
 
-/// Pixels of a level that are prepared at a place; SceneLevel gives no others. Valid until another
-/// image is shown.
+/// Pixels of a level, prepared in the requested region only. Valid until another image is shown.
 struct PreparedPixels {
   const cv::Mat& colour;  ///< CV_8UC3, smoothed
   const cv::Mat& edges;   ///< CV_8SC2, see gradient_orientation.hpp
@@ -42,7 +41,7 @@ class SceneLevel {
   /// The surroundings of `pose` within `reach` [px] plus some slack.
   PreparedPixels around(const Pose2D& pose, double reach) const;
 
-  /// Of all of its edges, with a margin of at least `margin` [px].
+  /// Response maps of all edges, with a margin of at least `margin` [px].
   std::shared_ptr<const ResponseMaps> responses(int margin) const;
 
  private:

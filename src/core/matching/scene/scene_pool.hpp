@@ -10,12 +10,11 @@
 
 namespace mbncc::scene {
 
-/// New memory from the system would cost a fifth of a search. Thread-safe; the pool must outlive
-/// its scenes.
+/// Reuses the memory of scenes, because new memory from the system would take a fifth of a search's
+/// time. Thread-safe; the pool must outlive its scenes.
 class ScenePool {
  public:
-  /// `image` in the memory of an unused one, if there is any. See
-  /// SceneImage::show().
+  /// A scene of `image`, in the memory of an unused scene if there is any. See SceneImage::show().
   std::shared_ptr<const SceneImage> show(const cv::Mat& image, int top_level);
 
  private:

@@ -7,9 +7,9 @@
 namespace mbncc::search {
 namespace {
 
-constexpr double kLikely = 3;          // log-odds of a detection used for the estimate
-constexpr double kAlike = 0.06;        // ln gain between those that agree
-constexpr double kNoticeable = 0.055;  // ln gain from which on an image is balanced
+constexpr double kLikely = 3;          // least log-odds of a detection used for the estimate
+constexpr double kAlike = 0.06;        // [ln gain] largest difference of casts that agree
+constexpr double kNoticeable = 0.055;  // [ln gain] least cast that is removed
 
 std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection,
                                             const prepared::Comparison& compared) {

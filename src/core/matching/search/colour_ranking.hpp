@@ -11,9 +11,9 @@
 
 namespace mbncc::search {
 
-/// Of poses at one level, valued by their mean response [-1..1], the `most` best by response plus
-/// colour log-odds, best first, with that sum as value. In images too small for colours, only the
-/// response is used.
+/// The `most` best of `poses` by mean response plus weighted colour log-odds, best first; that sum
+/// becomes their value. All poses are at one level, and their value is the mean response [-1..1].
+/// In images too small for colours, only the response is used.
 std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
                                                   const scene::SceneImage& scene,
                                                   std::vector<templates::Candidate> poses,

@@ -38,7 +38,8 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
 
 }  // namespace
 
-// An instance fits one of several views best, so the thorough search is used only if none finds it.
+// An instance fits one of several views best, so all views are searched thoroughly only if the
+// quick search finds nothing.
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode) {

@@ -13,7 +13,7 @@
 namespace mbncc::search {
 namespace {
 
-/// Whether nothing else resembles the object.
+/// Whether `other` has about the radius and area of the view.
 bool is_alike(const prepared::PreparedView& view, const Footprint& other) {
   constexpr double kRadius = 0.15, kArea = 0.25;  // ln of the ratios
   return std::abs(std::log(other.circle.radius / view.shape.radius())) < kRadius &&
@@ -27,8 +27,8 @@ std::vector<decision::Detection> search_occupied(const prepared::PreparedObject&
                                                  const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found) {
-  // Of the radius: detections farther away, of a neighbour that lies on top of another instance, do
-  // not show that the place was compared.
+  // [radii] A detection farther away does not show that the place was compared: it may be of a
+  // neighbour that lies on top of another instance.
   constexpr double kInPlace = 0.25;
   std::vector<decision::Detection> detections;
   for (const auto& view : object.views) {

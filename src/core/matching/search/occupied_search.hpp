@@ -12,15 +12,16 @@
 
 namespace mbncc::search {
 
-/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image), at
-/// places of other objects of its size that are not in `found`, the detections of the same object.
+/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image), at the
+/// places in `occupied` of other objects of about its size. Leaves out places in `found`, the
+/// detections of `object` so far.
 std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
                                                  const scene::SceneImage& scene,
                                                  const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found);
 
-/// The best poses of `view` near places [px], whether or not a search proposes them, to compare
+/// The best poses of `view` near `centres` [px], whether or not a search proposes them, to compare
 /// look-alikes at the places of other objects.
 std::vector<decision::Detection> search_places(const prepared::PreparedObject& object,
                                                const prepared::PreparedView& view,

@@ -11,7 +11,7 @@ namespace mbncc::search {
 namespace {
 
 constexpr std::size_t kPolished = 8;
-constexpr double kOutclassed = 8;  // log-odds behind the best: not aligned again
+constexpr double kOutclassed = 8;  // log-odds behind the best from which on poses are not aligned
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
   constexpr double kSame = 0.25;  // [px]
@@ -19,7 +19,7 @@ bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
          angle_distance(a.theta, b.theta) * radius < kSame;
 }
 
-/// Poses nearer than this are refined to one.
+/// Whether `pose` is a duplicate of one of `poses`.
 bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose, double radius) {
   return std::any_of(poses.begin(), poses.end(),
                      [&](const Pose2D& other) { return same_pose(other, pose, radius); });
@@ -41,8 +41,8 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
   return evidence::rotation_odds(b.evidence) > evidence::rotation_odds(a.evidence) ? b : a;
 }
 
-// Narrow objects and shading cause side maxima. More distant starts are tried only if the near ones
-// converged elsewhere.
+// Narrow objects and shading cause secondary maxima. More distant starts are tried only if the near
+// ones converged elsewhere.
 PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                 const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim

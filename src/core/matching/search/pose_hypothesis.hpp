@@ -12,7 +12,7 @@
 
 namespace mbncc::search {
 
-/// Log-odds below which no pose became a detection.
+/// Log-odds below which no pose ever became a detection, so it is not refined.
 constexpr double kWorthRefining = -4;
 
 /// A pose at full resolution with the evidence for it.
@@ -27,10 +27,10 @@ struct PoseHypothesis {
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose);
 
-/// The better of two poses at one place by light-independent features.
+/// The better of two poses at one place, by light-independent features only.
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);
 
-/// The best pose that alignments from this one and slightly turned ones reach.
+/// The best pose reached by alignment from `pose` and from slightly rotated starts.
 PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                 const Pose2D& pose);
 

@@ -19,14 +19,16 @@ class Proposals {
             const proposal::SearchMask& places)
       : view_(view), scene_(scene), roi_(roi), places_(places) {}
 
-  /// Searches by contours: at most `most` poses.
+  /// Searches by contours for at most `most` poses; required before by_edges() and
+  /// foremost_by_edges().
   void follow_edges(std::size_t most);
-  /// The best `most` places by rotated correlation, except at one of the finest levels.
+  /// The best `most` places by rotated correlation; none if the object needs one of the finest
+  /// levels.
   std::vector<templates::Candidate> by_correlation(int most) const;
   /// The first `most` contour proposals.
   std::vector<templates::Candidate> by_edges(std::size_t most) const;
-  /// The `most` poses with the best colours and three quarters of the contour: the fourth may be
-  /// covered.
+  /// The `most` best poses by colours and the best three quarters of the contour; the fourth
+  /// quarter may be covered.
   std::vector<templates::Candidate> by_visible_part(std::size_t most) const;
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.

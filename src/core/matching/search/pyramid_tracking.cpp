@@ -44,7 +44,7 @@ class PyramidTracker {
 
  private:
   /// Scores proposals, first with a coarse template, because reading the surface is expensive and
-  /// most are wrong.
+  /// most proposals are wrong.
   void enter(int level, std::vector<templates::Candidate>& candidates) const {
     keep_those_on_edges(level, candidates);
     score(view_.rough[level], 0, candidates);
@@ -55,7 +55,7 @@ class PyramidTracker {
     templates::drop_below(kThresholds.entering, candidates);
   }
 
-  /// Keeps the best by the contour alone.
+  /// Keeps the best candidates by the contour alone.
   void keep_those_on_edges(int level, std::vector<templates::Candidate>& candidates) const {
     if (candidates.size() <= budget_.on_edges) return;
     const templates::PoseTemplate& object = view_.rough[level];
@@ -90,8 +90,8 @@ class PyramidTracker {
   double radius_at(int level) const { return view_.shape.radius() / (1 << level); }
   double apart_at(int level) const { return decision::kSamePlace * radius_at(level); }
 
-  /// Rotations of a round object are one candidate. Other measured symmetries may be broken by a
-  /// print.
+  /// Rotations of a round object are duplicates. Other symmetries do not count, because a print may
+  /// break them.
   templates::DuplicateRadius alike_at(int level, double distance) const {
     return {distance, radius_at(level), view_.symmetry == 0 ? 0 : 1};
   }

@@ -32,8 +32,8 @@ std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& 
   return peaks;
 }
 
-/// Half a turn about the map's centroid, where an elongated object covers itself best; this may
-/// be farther than the shifts reach.
+/// `place` rotated by half a turn about the map's centroid, which makes an elongated object cover
+/// itself best. This may move the anchor farther than the shifts reach.
 templates::Candidate half_turned(const prepared::PreparedView& view,
                                  const templates::Candidate& place) {
   const templates::SurfaceTemplate& surface = view.templates[0].surface;
@@ -44,8 +44,8 @@ templates::Candidate half_turned(const prepared::PreparedView& view,
   return {compose(place.pose, {2 * mean(surface.x), 2 * mean(surface.y), kPi}), place.level, 0};
 }
 
-/// The first of these, shifted to the best fit of their outlines, best first: if shading
-/// displaced one rotation by pixels, the other is displaced in the opposite direction.
+/// The first of `peaks`, shifted to the best fit of the outline, best first. If shading displaced
+/// one rotation by pixels, the opposite rotation is displaced in the opposite direction.
 std::vector<templates::Candidate> shifted_onto_edges(const prepared::PreparedView& view,
                                                      const scene::SceneImage& scene,
                                                      std::vector<templates::Candidate> peaks) {
@@ -57,7 +57,7 @@ std::vector<templates::Candidate> shifted_onto_edges(const prepared::PreparedVie
   return peaks;
 }
 
-/// The aligned poses of the first `most` of them, by log-odds.
+/// The poses aligned from the first `most` of `starts`, with their log-odds as values.
 std::vector<templates::Candidate> reached_from(const prepared::PreparedView& view,
                                                const scene::SceneImage& scene,
                                                std::vector<templates::Candidate> starts,

@@ -6,12 +6,12 @@
 
 namespace mbncc::search {
 
-/// Budget for candidates. Defaults: those of the first search.
+/// Budget for candidates. The defaults are those of the first search.
 struct SearchBudget {
   std::size_t edge_poses = 400;  ///< poses of the contour search, at most
-  std::size_t on_edges = 200;    ///< of them the best by contour, at most
+  std::size_t on_edges = 200;    ///< the best of these by contour, at most
   std::size_t judged = 96;       ///< candidates scored by all features at the first level, at most
-  std::size_t entering = 48;     ///< of them the best that are aligned there, at most
+  std::size_t entering = 48;     ///< the best of these, which are aligned there, at most
   double kept = 1;               ///< candidates at each level, times most_at()
 };
 
@@ -28,7 +28,7 @@ constexpr SearchBudget kSecondSearch = [] {
 /// Budget of the first search.
 struct FirstSearch {
   SearchBudget budget;
-  int correlated_places = 100;  ///< of the correlation, at most
+  int correlated_places = 100;  ///< places of the correlation search, at most
   double promising = -8;        ///< least log-odds for multi-start alignment
 };
 
@@ -43,13 +43,13 @@ constexpr FirstSearch kAmongMany = [] {
 }();
 
 /// Log-odds behind the best below which candidates are dropped.
-constexpr double kHopeless = 15;  ///< on the way down
-constexpr double kNoRival = 12;   ///< at full resolution
+constexpr double kHopeless = 15;  ///< while tracking down the pyramid
+constexpr double kNoRival = 12;   ///< among candidates at full resolution
 
 /// Correlation is skipped if, of the contour candidates,
 constexpr double kCertain = 3;         ///< the best has at least these log-odds, ...
-constexpr double kSecond = -1;         ///< any other place less than these, ...
-constexpr std::size_t kForemost = 60;  ///< and the best was among so many first proposals.
+constexpr double kSecond = -1;         ///< every other place has less than these, ...
+constexpr std::size_t kForemost = 60;  ///< and the best was among this many first proposals.
 
 /// The second search is skipped if the best candidate has these log-odds, minus the clutter
 /// penalty.

@@ -12,7 +12,7 @@
 namespace mbncc::search {
 namespace {
 
-constexpr double kReportable = -2.2;  // log-odds: a score of .1
+constexpr double kReportable = -2.2;  // log-odds of a score of .1
 
 /// Colour difference of an object at a pose of log-odds `odds`.
 evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
@@ -49,10 +49,10 @@ double print_penalty(double enclosed) {
   return kSteepness * std::max(0.0, enclosed - kUsual);
 }
 
-/// A refined pose.
+/// A refined pose with its log-odds.
 struct RefinedPose {
   refinement::Refined at;
-  double odds;  ///< log-odds there, or before the refinement if they are higher
+  double odds;  ///< log-odds at the refined pose, or before the refinement if higher
 };
 
 RefinedPose with_odds(const prepared::PreparedView& view, const scene::SceneImage& scene,
@@ -84,9 +84,9 @@ struct SizedPose {
   bool other_object = false;
 };
 
-/// Refines a pose that was found at the learned size from other sizes as well where they fit
-/// better, because a large object's edges are then out of the refinement's reach. Farther sizes are
-/// tested only on a side where a nearer one fits better than the learned size.
+/// Refines a pose found at the learned size also from other sizes if they fit better, because the
+/// edges of a large object of another size are out of the refinement's reach. The farther size is
+/// tested only on the side where the nearer one fits better than the learned size.
 SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
                        const PoseHypothesis& found, const RefinedPose& start) {
   constexpr double kUsual = 0.065;  // relative change of size by heights and tilts, at most
@@ -112,8 +112,8 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
   return best;
 }
 
-/// Advantage in agreement of the mirrored outline at a pose: the object lies on its other side, or
-/// its mirror image lies there.
+/// Advantage in agreement of the mirrored outline at a pose. If it is large, the object lies on its
+/// other side, or its mirror image lies there.
 double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
                         const refinement::Refined& place) {
   return view.mirrored_contour.advantage(view.fine.contour, scene.levels[0], place.pose,
@@ -161,7 +161,7 @@ void read_similarity(const prepared::PreparedView& view, const scene::SceneImage
   detection.visible = read.visible;
 }
 
-/// Reads all that is judged at a refined pose.
+/// Sets everything that is computed at a refined pose.
 void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene,
               const PoseHypothesis& found, const RefinedPose& refined,
               decision::Detection& detection) {
@@ -189,7 +189,8 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
             const PoseHypothesis& found, decision::Detection& detection) {
   const RefinedPose place = with_odds(view, scene, found, refined(view, scene, found));
   evaluate(view, scene, found, place, detection);
-  // What is unlikely by itself is not tested, but may become the best rotation of a likely place.
+  // Other sizes are not tested for an unlikely pose, which may still become the best rotation at a
+  // likely place.
   detection.size_alternative = true;
   if (detection.log_odds() <= 0) return;
   const SizedPose sized = at_best_size(view, scene, found, place);
@@ -197,7 +198,8 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.size_alternative = sized.other_object;
 }
 
-/// Tests the rows of the whole image, and those of the object before a background that rests.
+/// Whether the rows of the image are displaced at the detection, or only those of the object, if
+/// the background did not move.
 bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
              const decision::Detection& detection) {
   const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.scale);
@@ -206,7 +208,7 @@ bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage&
              evidence::kTorn;
 }
 
-/// For the best of the sorted detections at each place, computes the advantage of the outline at
+/// Tests the best of the sorted detections at each place: computes the advantage of its outline at
 /// nearby places, because shading displaces a plain surface by pixels, and whether it is torn.
 void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             std::vector<decision::Detection>& compared) {

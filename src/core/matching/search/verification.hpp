@@ -11,7 +11,8 @@
 
 namespace mbncc::search {
 
-/// Compares poses of a view, best first. Only poses that may be reported are refined.
+/// Verifies the hypotheses `found` for a view and compares them with each other. Returns
+/// detections, best first. Only poses that may be reported are refined.
 std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
                                         const prepared::PreparedView& view,
                                         const scene::SceneImage& scene,

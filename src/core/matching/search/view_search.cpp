@@ -16,13 +16,13 @@
 namespace mbncc::search {
 namespace {
 
-constexpr std::size_t kFinal = 3;        // places whose other angles are tried, ...
-constexpr std::size_t kMostPlaces = 10;  // ... and so many ...
-constexpr double kLikely = 0;            // ... that have these log-odds
+constexpr std::size_t kFinal = 3;        // best places whose other angles are tried, ...
+constexpr std::size_t kMostPlaces = 10;  // ... and up to this many ...
+constexpr double kLikely = 0;            // ... with at least these log-odds
 constexpr double kSamePose = 1e-6;       // [px]
 constexpr double kOtherAngle = to_radians(10.);
 
-/// A view with a part of the rotations gets proportionally fewer candidates.
+/// A view that is searched at part of the rotations gets proportionally fewer candidates.
 template <class Count>
 Count part_of(Count count, const proposal::AngleRange& sector) {
   const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
@@ -41,8 +41,8 @@ FirstSearch for_sector(FirstSearch first, const proposal::AngleRange& sector) {
   return first;
 }
 
-/// The best of different places, of sorted candidates: at most `most`, and at least `apart` [px]
-/// from each other.
+/// The best of the sorted candidates at each place: at most `most`, at least `apart` [px] from each
+/// other.
 std::vector<templates::Candidate> best_places(const std::vector<templates::Candidate>& candidates,
                                               double apart, std::size_t most) {
   std::vector<templates::Candidate> places;
@@ -106,8 +106,8 @@ class ViewSearch {
   double apart() const { return decision::kSamePlace * view_.shape.radius(); }
   templates::DuplicateRadius alike() const { return {1.5, view_.shape.radius()}; }
 
-  /// Whether one of the sorted candidates is likely, no other place is, and it was among the first
-  /// contour proposals, which would then also contain a further instance.
+  /// Whether the best of the sorted candidates is likely, no other place is, and it was among the
+  /// first contour proposals, which would then also contain any further instance.
   bool sure(const std::vector<templates::Candidate>& candidates) const {
     const auto places = best_places(candidates, apart(), 2);
     if (places.empty() || places[0].value < kCertain) return false;
@@ -115,7 +115,7 @@ class ViewSearch {
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
   }
 
-  /// Whether one of the sorted candidates is likely, including the clutter penalty.
+  /// Whether the best of the sorted candidates is likely, including the clutter penalty.
   bool found(const std::vector<templates::Candidate>& candidates) const {
     std::vector<double> odds;
     for (const auto& place : best_places(candidates, apart(), candidates.size()))
@@ -149,7 +149,7 @@ class ViewSearch {
                                      {kSamePose, view_.shape.radius()}});
   }
 
-  /// The paper's poses without alignment, with their evidence.
+  /// Verifies the poses of the paper's search without aligning them.
   std::vector<decision::Detection> judge_polar() const {
     std::vector<PoseHypothesis> found;
     if (view_.polar->top_level() <= scene_.top_level())

@@ -12,13 +12,13 @@ namespace mbncc::search {
 
 /// How thoroughly and where a view is searched.
 enum class SearchMode {
-  kSparing,  ///< with few candidates: of many objects, most are not in the image
-  kGated,    ///< the same, only where the object's colours are
-  kQuick,    ///< once: another view may find the object
+  kSparing,  ///< with few candidates, because most of many objects are not in the image
+  kGated,    ///< like kSparing, but only where the object's colours occur
+  kQuick,    ///< once, because another view may find the object
   kTwice     ///< again with more candidates and starts if it is not found at once
 };
 
-/// For searches whose objects are mostly absent.
+/// Whether few candidates are used, because most objects are absent.
 inline bool is_sparing(SearchMode mode) {
   return mode == SearchMode::kSparing || mode == SearchMode::kGated;
 }

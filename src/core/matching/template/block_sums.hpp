@@ -19,7 +19,7 @@ struct BlockSums {
   Channels product{};                        ///< template times image
 };
 
-/// At most kMostBlocks.
+/// Sums of each block; there are at most kMostBlocks.
 std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample);
 
 }  // namespace mbncc::templates

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kLikely = 0;  // log-odds
 
-/// One of `others` is.
+/// Whether one of `others` is nearer than `distance` [px at level].
 bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, double distance) {
   return std::any_of(others.begin(), others.end(), [&](const Candidate& other) {
     return cv::norm(candidate.pose.position() - other.pose.position()) < distance;

@@ -81,8 +81,8 @@ double contour_agreement(const ContourTemplate& contour, const ContourSample& sa
 }
 
 std::vector<int> points_beside(const ContourTemplate& contour, cv::Point2f at) {
-  constexpr float kBeside = 1.5F;  // distances to the nearest point, ...
-  constexpr float kSlack = 3;      // [px] ... and a little
+  constexpr float kBeside = 1.5F;  // [distance of the nearest point] ...
+  constexpr float kSlack = 3;      // [px] ... plus this
   std::vector<float> distances(contour.size());
   for (std::size_t k = 0; k < contour.size(); ++k)
     distances[k] = std::hypot(contour.x[k] - at.x, contour.y[k] - at.y);

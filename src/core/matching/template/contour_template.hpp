@@ -13,15 +13,15 @@ namespace mbncc::templates {
 struct ContourTemplate {
   ContourTemplate() = default;
 
-  /// At most `most` points evenly along the map's `edge` at pyramid level `level`, about `anchor`
-  /// [px, level 0].
+  /// At most `most` points evenly spaced along the map's `edge` at pyramid level `level`, about
+  /// `anchor` [px, level 0].
   ContourTemplate(const std::vector<EdgePoint>& edge, cv::Point2d anchor, int level,
                   std::size_t most);
 
   /// Scales the points: the same contour `factor` times as large.
   void resize(double factor);
 
-  /// The edge whose normals are as smooth as a level's pixels.
+  /// The map's edge, with normals smoothed like the pixels of a level.
   static std::vector<EdgePoint> edge_of(const MapGeometry& map, int level);
 
   std::size_t size() const { return count_; }
@@ -32,8 +32,8 @@ struct ContourTemplate {
   std::vector<float> normal_x, normal_y;  ///< unit, outwards
   std::vector<float> ones;                ///< 1 at points, 0 in the padding
 
-  /// Jacobian of each point's distance from its edge by the motion (dx, dy, dtheta): 3 rows, and
-  /// their pairwise products (xx, xy, yy, xt, yt, tt): 6 rows.
+  /// Jacobian of each point's distance from its edge with respect to the motion (dx, dy, dtheta): 3
+  /// rows, and their pairwise products (xx, xy, yy, xt, yt, tt): 6 rows.
   std::vector<float> motion, products;
 
  private:
@@ -46,8 +46,8 @@ struct ContourSample {
   std::vector<float> response, seen, pull, moment;  ///< as long as the contour's vectors
 };
 
-/// Reads `edges`, as of smooth_and_find_edges(), at `pose`, up to `reach` [px] along the normals,
-/// the contour `scale` times (near 1) as large as the template.
+/// Reads `edges`, see smooth_and_find_edges(), at `pose`, up to `reach` [px] along the normals, the
+/// contour `scale` times (near 1) as large as the template.
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale = 1);
 
@@ -58,21 +58,21 @@ cv::Rect bounding_box(const ContourTemplate& contour, const Pose2D& pose, double
 /// its normal; -1 where less than a quarter of the contour is visible.
 double contour_agreement(const ContourTemplate& contour, const ContourSample& sample);
 
-/// Whether there is an edge along the contour.
+/// Whether a response is that of a clear edge along the contour.
 inline bool is_clear(float response) {
   constexpr float kClear = 0.4f;
   return response > kClear;
 }
 
 /// Indices of the contour's points that are about as near to `at` [px at level, relative to the
-/// anchor] as the nearest one. What covers `at` mostly hides them.
+/// anchor] as the nearest one. An occluder of `at` mostly hides them, too.
 std::vector<int> points_beside(const ContourTemplate& contour, cv::Point2f at);
 
 /// Part [0..1] of the visible contour where there is a clear edge along it.
 double contour_found(const ContourTemplate& contour, const ContourSample& sample);
 
-/// Products of the Jacobians of the found edges by (dx, dy, dtheta), summed over the points with
-/// their responses as weights.
+/// Products of the Jacobians of the found edges with respect to (dx, dy, dtheta), summed over the
+/// points with their responses as weights.
 cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
 
 /// Normal equations of the small motion (dx, dy, dtheta) of the contour that aligns it with the

@@ -29,7 +29,7 @@ class MapFootprint {
   cv::Mat map_;
   cv::Point2d anchor_;
   double area_ = 0, radius_ = 0;
-  std::vector<cv::Point2d> sample_;  // some of the map's pixels, evenly
+  std::vector<cv::Point2d> sample_;  // evenly chosen pixels of the map, relative to the anchor
 };
 
 /// Common area of two maps as part of the smaller one [0..1].

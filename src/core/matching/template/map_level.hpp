@@ -11,7 +11,8 @@ struct MapLevel {
   cv::Mat coverage;  ///< CV_32FC1 [0..1] part of each pixel that the map covers
 };
 
-/// `grey` CV_8UC1 and `map` binary of the same size; else std::invalid_argument.
+/// `grey` must be CV_8UC1, and `map` binary and of the same size; otherwise throws
+/// std::invalid_argument.
 MapLevel map_level(const cv::Mat& grey, const cv::Mat& map, int level);
 
 }  // namespace mbncc::templates

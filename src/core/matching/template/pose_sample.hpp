@@ -14,7 +14,7 @@ struct PoseTemplate {
   SurfaceTemplate surface;
   ContourTemplate contour;
 
-  /// [px at level] no point lies farther from the anchor.
+  /// [px at level] Largest distance of a point from the anchor.
   double reach() const { return std::max(surface.radius(), contour.radius()); }
 };
 

@@ -15,12 +15,12 @@ cv::Point2f at_level(cv::Point2f place, int level) {
   return cv::Point2f(imaging::to_level(cv::Point2d(place), level));
 }
 
-/// Middles of the level's pixels that lie deeper than `depth` [px at level 0] in the map.
+/// Centres of the level's pixels that lie deeper than `depth` [px at level 0] in the map.
 std::vector<cv::Point> pixels_deeper_than(double depth, const MapGeometry& map, cv::Size size,
                                           int level) {
   const int side = 1 << level;
   std::vector<cv::Point> pixels;
-  // The middle of maps narrower than a pixel of the level.
+  // Maps narrower than a pixel of the level are sampled in their middle.
   const cv::Point first(std::min(side, size.width - 1) / 2, std::min(side, size.height - 1) / 2);
   for (int y = first.y; y < size.height; y += side)
     for (int x = first.x; x < size.width; x += side)
@@ -41,7 +41,7 @@ Points points_of(const MapGeometry& map, const std::vector<cv::Point>& pixels, i
   return points;
 }
 
-/// Keeps at most `most`, without excess memory.
+/// Keeps at most `most` random points, and frees the excess memory.
 template <class Point>
 void thin_out(std::vector<Point>& points, std::size_t most) {
   std::mt19937 random(5);

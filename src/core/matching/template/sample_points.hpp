@@ -15,12 +15,12 @@ struct SurfacePoint {
   cv::Point2f inward;  ///< unit, away from the edge
 };
 
-/// Blocks, compact parts of equal size, that a surface is split into.
+/// Largest number of blocks: compact parts of equal size that a surface is split into.
 constexpr std::size_t kMostBlocks = 8;
 
 struct SamplePoints {
   std::vector<SurfacePoint> points;
-  std::vector<int> block_ends;  ///< points in order belong to kMostBlocks blocks, or fewer
+  std::vector<int> block_ends;  ///< end of each block in `points`; at most kMostBlocks
 };
 
 /// At most `most` points of a map of `size`, spread evenly: away from the edge, where image

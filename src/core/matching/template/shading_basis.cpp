@@ -8,8 +8,8 @@
 namespace mbncc::templates {
 namespace {
 
-/// Function `k` at a point whose place, in radii, is (u, v). The most important come first: small
-/// surfaces have only some of them.
+/// Function `k` at a point whose position, in radii, is (u, v). The most important come first:
+/// small surfaces have only some of them.
 float shading(int k, float u, float v, const SurfacePoint& point) {
   const float rim = std::exp(-point.depth / 1.5f), bevel = std::exp(-point.depth / 4.f);
   const cv::Point2f inward = point.inward;
@@ -43,7 +43,8 @@ ShadingBasis::ShadingBasis(const std::vector<SurfacePoint>& points, const std::v
   }
 }
 
-/// Residual of `values` after projection on the previous rows, unless it is negligible.
+/// Adds the part of `values` that is orthogonal to the previous rows, normalised, unless it is
+/// negligible.
 void ShadingBasis::add(std::vector<float> values) {
   const double before = kernels::product(values, values.data());
   for (int pass = 0; pass < 2; ++pass) project_out(values);

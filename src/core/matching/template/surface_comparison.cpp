@@ -11,7 +11,7 @@ namespace mbncc::templates {
 
 namespace {
 
-/// Counts the points that are compared; the others get their mean colour.
+/// Counts the points that are compared, and sets the others to their mean colour.
 void fill_left_out(SurfaceSample& sample) {
   const float* counts = sample.inside.data();
   const auto [count, blue, green, red] = kernels::products<4>(
@@ -53,8 +53,8 @@ Exposure exposure_of(const float* __restrict learned, const float* __restrict bl
 
 }  // namespace
 
-// What mirrors a lamp saturates the camera and shows nothing of the object. What is bright enough
-// in the lesson, in the light here, may saturate by itself.
+// The reflection of a lamp saturates the camera and shows nothing of the object. A point that is
+// bright enough in the lesson may saturate in this light without a reflection.
 void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
   const auto& [blue, green, red] = sample.planes;
   const Exposure exposure = exposure_of(brightness.data(), blue.data(), green.data(), red.data(),

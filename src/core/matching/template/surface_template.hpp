@@ -24,17 +24,17 @@ constexpr float kMaySaturate = 0.85F * 3 * kSaturated;
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
   std::vector<float> inside;      ///< 1: compared; 0: outside the image, a highlight, or padding
-  std::array<double, 3> means{};  ///< of the planes inside
-  std::size_t visible = 0, points = 0;  ///< inside, and in all
+  std::array<double, 3> means{};  ///< of the compared points, per channel
+  std::size_t visible = 0, points = 0;  ///< number of compared points, of all points
 
   /// Whether enough is visible for a comparison.
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
 };
 
-/// Energy of an image outside the template: mean squares [grey^2].
+/// Difference between an image and the template: mean squares [grey^2].
 struct SurfaceDifference {
-  double rest = 0;     ///< neither template nor basis
-  double shading = 0;  ///< the basis without its constant
+  double rest = 0;     ///< explained by neither template nor basis
+  double shading = 0;  ///< explained by the basis without its constant
 };
 
 class SurfaceTemplate {
@@ -57,10 +57,10 @@ class SurfaceTemplate {
   /// Scales the points: the same surface `factor` times as large.
   void resize(double factor);
 
-  /// Per channel the derivatives of the colours by x, y and theta at the points.
+  /// Derivatives of the colours with respect to x, y and theta at the points, per channel.
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
-  /// In the image that the template was made from; 0 at its border.
+  /// Slopes in `image`, the one that the template was made from; 0 at its border.
   Slopes slopes_in(const scene::PreparedPixels& image) const;
 
   std::size_t size() const { return points_.size(); }
@@ -74,21 +74,22 @@ class SurfaceTemplate {
   /// Residual of the colours after the basis is projected out of template and image.
   struct Residual {
     double common = 0;  ///< product of both, summed over points and channels [grey^2]
-    double energy = 0;  ///< of the image's, likewise
+    double energy = 0;  ///< sum of squares of the image's residual [grey^2]
   };
   Residual residual(const SurfaceSample& sample) const;
 
-  /// Correlation [-1..1] of both residuals.
+  /// Correlation [-1..1] of the residuals of template and image.
   double correlation(const Residual& residual, double noise_variance) const;
 
-  /// Mean square [grey^2] of the residual after the template with a bounded gain.
+  /// Mean square [grey^2] of the part of the image's residual that the template's, with a bounded
+  /// gain, does not explain.
   double unexplained(const Residual& residual) const;
 
-  /// Of the image against `gain` times the template.
+  /// Difference between the image and `gain` times the template.
   SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
-  /// Gain of the image relative to the template, without the basis.
+  /// Gain of the image relative to the template, after the basis is projected out.
   double contrast(const SurfaceSample& sample) const;
-  /// Mean square [grey^2] of the template without the basis.
+  /// Mean square [grey^2] of the template after the basis is projected out.
   double mean_projected_energy() const;
 
   /// [0..1] Variation of the colours: 0 none, near 1 far beyond noise and shading.
@@ -104,15 +105,15 @@ class SurfaceTemplate {
   std::vector<int> block_ends;               ///< see SamplePoints
 
   ShadingBasis basis;                           ///< projected out of template and image
-  std::array<std::vector<float>, 3> projected;  ///< planes without the basis
+  std::array<std::vector<float>, 3> projected;  ///< `planes` after the basis is projected out
   double projected_energy = 0;                  ///< sum of squares of `projected`
 
   /// Rows: for each channel projected derivatives along x, y and theta, orthogonal to `projected`,
   /// then `projected` itself. 4 rows of padded() per channel.
   std::array<std::vector<float>, 3> slopes;
-  cv::Matx33d slope_product;  ///< slopes times slopes, summed over channels
+  cv::Matx33d slope_product;  ///< products of the slopes, summed over points and channels
 
-  // Texture gradients: doubled direction times weight.
+  // Texture gradients: unit vector of twice the angle, times weight.
   std::vector<float> gradient_x, gradient_y;
   double gradient_total = 0;
 

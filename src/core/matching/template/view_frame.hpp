@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What a pose of a view means: where its object lies and what it covers.
+// Geometry of a view: its object frame, outline and area.
 #pragma once
 
 #include <opencv2/core.hpp>
