@@ -30,12 +30,12 @@ Outcome Demo::run() {
   cell_.rest(random_.uniform(0, 12));
   Demonstration demonstration;
   for (int i = 0; i < kPatience; ++i) {
-    const auto step = demonstration.look(cell_.watch.still());
+    const auto step = demonstration.update(cell_.watch.still());
     if (step == Demonstration::Step::kReady) {
       Outcome outcome = learn(demonstration.before().image, demonstration.after().image);
       if (outcome.learned.error != LearnError::kNoChange && has_left(outcome, demonstration))
         return outcome;
-      demonstration.go_on();
+      demonstration.continue_waiting();
     } else if (step == Demonstration::Step::kWaitRemoval) {
       act();
     }

@@ -12,18 +12,18 @@
 namespace mbncc {
 
 /// Meaning of a colour.
-enum class Standing { kGood, kDoubtful, kBad, kUnsure };
+enum class Confidence { kGood, kDoubtful, kBad, kUnsure };
 
 /// bgr: blue, orange, vermilion, grey from the colour-blind safe palette of Okabe and Ito.
-cv::Scalar colour_of(Standing standing);
+cv::Scalar colour_of(Confidence confidence);
 
 /// One annotation in an image.
 struct Marking {
   std::vector<std::vector<cv::Point2f>> outlines;  ///< [px] in the image
   Pose2D pose;  ///< [px],[rad] its axes: x vermilion arrow, y green
   cv::Scalar colour =
-      colour_of(Standing::kGood);  ///< bgr of outlines and of the caption's background
-  std::string caption;             ///< plain ASCII, lines separated by \n
+      colour_of(Confidence::kGood);  ///< bgr of outlines and of the caption's background
+  std::string caption;               ///< plain ASCII, lines separated by \n
 };
 
 /// CV_8UC3 copy of `image` (CV_8UC3 or CV_8UC1) with the annotations, legible at a third of its

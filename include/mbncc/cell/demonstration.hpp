@@ -25,8 +25,8 @@ class Demonstration {
   };
 
   /// Why the scene before was replaced.
-  enum class Anew {
-    kNot,
+  enum class RestartReason {
+    kNone,
     kLight,       ///< only the light has changed
     kEdgeLeft,    ///< something that crossed the image's border at the start has left
     kEverything,  ///< nearly the whole image has changed
@@ -40,18 +40,18 @@ class Demonstration {
 
   /// Processes the next image; `still` is SceneWatch::still(). Images of another size than the
   /// one before are ignored.
-  Step look(const std::optional<StillShot>& still);
+  Step update(const std::optional<StillShot>& still);
 
   /// Continues after kReady if no object has left: the operator is not done, or something was put
   /// down, which then belongs to the scene before. An image that was passed to the constructor is
-  /// kept. Call look() again.
-  void go_on();
+  /// kept. Call update() again.
+  void continue_waiting();
 
-  /// Why the scene before was last replaced; kPutDown after go_on().
-  Anew anew() const { return anew_; }
+  /// Why the scene before was last replaced; kPutDown after continue_waiting().
+  RestartReason restart_reason() const { return restart_reason_; }
 
-  const StillShot& before() const { return before_; }  ///< valid once look() returned kWaitRemoval
-  const StillShot& after() const { return after_; }    ///< valid once look() returned kReady
+  const StillShot& before() const { return before_; }  ///< valid once update() returned kWaitRemoval
+  const StillShot& after() const { return after_; }    ///< valid once update() returned kReady
 
  private:
   Step judge(const StillShot& still);
@@ -61,7 +61,7 @@ class Demonstration {
   std::uint64_t seen_ = 0;  // still period that was compared last
   double compared_at_ = 0;  // [s] stamp of the image that was compared last
   SceneChange change_ = SceneChange::kNone;
-  Anew anew_ = Anew::kNot;
+  RestartReason restart_reason_ = RestartReason::kNone;
 };
 
 }  // namespace mbncc

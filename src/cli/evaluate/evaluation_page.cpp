@@ -42,7 +42,7 @@ Marking missed_marking(const TrueInstance& missed) {
   const auto arm = static_cast<float>(kArm);
   marking.outlines = {{at + cv::Point2f(-arm, -arm), at + cv::Point2f(arm, -arm),
                        at + cv::Point2f(arm, arm), at + cv::Point2f(-arm, arm)}};
-  marking.colour = colour_of(Standing::kBad);
+  marking.colour = colour_of(Confidence::kBad);
   marking.caption = "missed " + missed.name;
   return marking;
 }

@@ -120,22 +120,22 @@ void draw_caption(cv::Mat& image, const Marking& marking, const Pen& pen) {
   }
 }
 
-Standing standing_of(Verdict verdict) {
-  if (verdict == Verdict::kGood) return Standing::kGood;
-  return verdict == Verdict::kMarginal ? Standing::kDoubtful : Standing::kBad;
+Confidence confidence_of(Verdict verdict) {
+  if (verdict == Verdict::kGood) return Confidence::kGood;
+  return verdict == Verdict::kMarginal ? Confidence::kDoubtful : Confidence::kBad;
 }
 
 }  // namespace
 
-cv::Scalar colour_of(Standing standing) {
-  switch (standing) {
-    case Standing::kGood:
+cv::Scalar colour_of(Confidence confidence) {
+  switch (confidence) {
+    case Confidence::kGood:
       return {233, 180, 86};
-    case Standing::kDoubtful:
+    case Confidence::kDoubtful:
       return {0, 159, 230};
-    case Standing::kBad:
+    case Confidence::kBad:
       return {0, 94, 213};
-    case Standing::kUnsure:
+    case Confidence::kUnsure:
       return {200, 200, 200};
   }
   return {200, 200, 200};
@@ -163,7 +163,7 @@ Marking marking_of(const View& view, const Quality& quality, const std::string& 
     for (const auto& point : outline) placed.emplace_back(transform(view.reference, point));
   }
   marking.pose = view.reference;
-  marking.colour = colour_of(standing_of(quality.verdict));
+  marking.colour = colour_of(confidence_of(quality.verdict));
   marking.caption = caption;
   return marking;
 }

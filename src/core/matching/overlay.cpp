@@ -20,10 +20,10 @@ Marking marking_of(const Match& match) {
   marking.pose = match.pose;
   marking.caption = match.name + score;
   if (match.ambiguous) {
-    marking.colour = colour_of(Standing::kDoubtful);
+    marking.colour = colour_of(Confidence::kDoubtful);
     marking.caption += " ambiguous" + brief_reason(match.reasons);
   } else if (!match.graspable) {
-    marking.colour = colour_of(Standing::kUnsure);
+    marking.colour = colour_of(Confidence::kUnsure);
     marking.caption += " unsure";
   }
   return marking;

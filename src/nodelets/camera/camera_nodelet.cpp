@@ -31,7 +31,7 @@ class CameraNodelet : public GuardedNodelet {
   void start() override;
   void stop() override;
   void start_calibration();
-  SourcePlayer::World world();
+  SourcePlayer::Callbacks callbacks();
 
   void work();
   std::unique_ptr<ImageSource> open() const;
@@ -71,7 +71,7 @@ void CameraNodelet::start() {
   start_calibration();
   image_transport::ImageTransport transport(node());
   camera_ = transport.advertiseCamera("image_raw", 5);
-  player_ = std::make_unique<SourcePlayer>(config_, world());
+  player_ = std::make_unique<SourcePlayer>(config_, callbacks());
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(),
                                            without_secrets(config_.source), kImagesTask,
                                            [this](auto& status) { diagnose(status); });
@@ -92,7 +92,7 @@ void CameraNodelet::start_calibration() {
                  config_.camera_name.c_str());
 }
 
-SourcePlayer::World CameraNodelet::world() {
+SourcePlayer::Callbacks CameraNodelet::callbacks() {
   return {
       [this] { return open(); },
       [this] { return camera_.getNumSubscribers() > 0; },

@@ -123,7 +123,8 @@ class CaptureSource : public ImageSource {
   }
 
   /// Sets a property of a device; adds a message to `refused` if the device does not accept it.
-  void ask(int property, const char* key, double value, std::vector<std::string>& refused) {
+  void set_property(int property, const char* key, double value,
+                    std::vector<std::string>& refused) {
     if (!capture_.set(property, value))
       refused.push_back(name_ + ": the device does not accept parameter '" + key +
                         "'; it goes on " + "with its own setting");
@@ -173,20 +174,24 @@ class CaptureSource : public ImageSource {
   cv::VideoCapture capture_;
 };
 
-void ask_settings(const CameraConfig& config, CaptureSource& device,
-                  std::vector<std::string>& refused) {
+void apply_settings(const CameraConfig& config, CaptureSource& device,
+                    std::vector<std::string>& refused) {
   constexpr double kManualExposure = 1;  // V4L2's value, passed on by OpenCV
-  if (config.width > 0) device.ask(cv::CAP_PROP_FRAME_WIDTH, "width", config.width, refused);
-  if (config.height > 0) device.ask(cv::CAP_PROP_FRAME_HEIGHT, "height", config.height, refused);
-  if (config.frame_rate > 0) device.ask(cv::CAP_PROP_FPS, "frame_rate", config.frame_rate, refused);
+  if (config.width > 0)
+    device.set_property(cv::CAP_PROP_FRAME_WIDTH, "width", config.width, refused);
+  if (config.height > 0)
+    device.set_property(cv::CAP_PROP_FRAME_HEIGHT, "height", config.height, refused);
+  if (config.frame_rate > 0)
+    device.set_property(cv::CAP_PROP_FPS, "frame_rate", config.frame_rate, refused);
   if (config.exposure >= 0) {
-    device.ask(cv::CAP_PROP_AUTO_EXPOSURE, "exposure", kManualExposure, refused);
-    device.ask(cv::CAP_PROP_EXPOSURE, "exposure", config.exposure, refused);
+    device.set_property(cv::CAP_PROP_AUTO_EXPOSURE, "exposure", kManualExposure, refused);
+    device.set_property(cv::CAP_PROP_EXPOSURE, "exposure", config.exposure, refused);
   }
-  if (config.gain >= 0) device.ask(cv::CAP_PROP_GAIN, "gain", config.gain, refused);
+  if (config.gain >= 0) device.set_property(cv::CAP_PROP_GAIN, "gain", config.gain, refused);
   if (config.white_balance >= 0) {
-    device.ask(cv::CAP_PROP_AUTO_WB, "white_balance", 0, refused);
-    device.ask(cv::CAP_PROP_WB_TEMPERATURE, "white_balance", config.white_balance, refused);
+    device.set_property(cv::CAP_PROP_AUTO_WB, "white_balance", 0, refused);
+    device.set_property(cv::CAP_PROP_WB_TEMPERATURE, "white_balance", config.white_balance,
+                        refused);
   }
 }
 
@@ -222,7 +227,7 @@ std::unique_ptr<ImageSource> open_image_source(const CameraConfig& config,
     throw FileError(without_secrets(source),
                     "no such folder, video, device or stream; " + devices_here());
   auto device = std::make_unique<CaptureSource>(config, false);
-  ask_settings(config, *device, refused);
+  apply_settings(config, *device, refused);
   return device;
 }
 

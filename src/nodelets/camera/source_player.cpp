@@ -17,7 +17,7 @@ using Clock = SourcePlayer::Clock;
 using Seconds = SourcePlayer::Seconds;
 
 constexpr Seconds kFirstRetry{0.5}, kLongestRetry{8};  // pauses before reopening; each doubles
-constexpr Seconds kGlance{0.05};                       // between checks for a subscriber or a clock
+constexpr Seconds kPollInterval{0.05};                 // between checks for a subscriber or a clock
 constexpr double kFolderRate = 10;                     // [Hz] of a source without a known rate
 
 Clock::duration ticks(Seconds seconds) {
@@ -26,10 +26,10 @@ Clock::duration ticks(Seconds seconds) {
 
 }  // namespace
 
-SourcePlayer::SourcePlayer(const CameraConfig& config, World world)
+SourcePlayer::SourcePlayer(const CameraConfig& config, Callbacks callbacks)
     : config_(config),
       name_(without_secrets(config.source)),
-      world_(std::move(world)),
+      callbacks_(std::move(callbacks)),
       retry_(kFirstRetry) {}
 
 void SourcePlayer::step() {
@@ -41,21 +41,21 @@ void SourcePlayer::step() {
 }
 
 void SourcePlayer::try_step() {
-  if (at_end_) return world_.pause(kLongestRetry);
+  if (at_end_) return callbacks_.pause(kLongestRetry);
   if (!source_) open();
   // A folder or video waits for a subscriber and for the clock, so that no image is lost.
-  if (!source_->is_live() && (!world_.has_listener() || !has_new_stamp()))
-    return world_.pause(kGlance);
+  if (!source_->is_live() && (!callbacks_.has_listener() || !has_new_stamp()))
+    return callbacks_.pause(kPollInterval);
   play();
 }
 
 void SourcePlayer::open() {
-  source_ = world_.open();
+  source_ = callbacks_.open();
   ROS_INFO("Opened %s", name_.c_str());
   health_.set_state(DiagnosticStatus::OK, "open");
   frozen_.reset();
   withholding_ = false;
-  due_ = world_.steady_time();
+  due_ = callbacks_.steady_time();
 }
 
 void SourcePlayer::close(const std::string& reason) {
@@ -63,26 +63,26 @@ void SourcePlayer::close(const std::string& reason) {
   health_.count(&Counts::failures);
   health_.set_state(DiagnosticStatus::ERROR, reason);
   ROS_WARN("%s; trying again in %.1f s", reason.c_str(), retry_.count());
-  world_.pause(retry_);
+  callbacks_.pause(retry_);
   retry_ = std::min(2 * retry_, kLongestRetry);
 }
 
 bool SourcePlayer::has_new_stamp() const {
-  const ros::Time now = world_.time();
+  const ros::Time now = callbacks_.time();
   return !now.isZero() && now != last_stamp_;
 }
 
 void SourcePlayer::play() {
   if (!source_->is_live()) wait_until_due();
   if (!source_->grab()) return end();
-  const ros::Time stamp = world_.time();
+  const ros::Time stamp = callbacks_.time();
   retry_ = kFirstRetry;
   if (stamp.isZero() || stamp == last_stamp_) return health_.count(&Counts::unstamped);
-  if (!world_.has_listener()) return;
+  if (!callbacks_.has_listener()) return;
   const cv::Mat image = retrieve();
   if (image.empty() || is_frozen(image)) return;
   last_stamp_ = stamp;
-  world_.publish(image, stamp);
+  callbacks_.publish(image, stamp);
   health_.count(&Counts::published);
 }
 
@@ -123,8 +123,8 @@ void SourcePlayer::withhold() {
 
 void SourcePlayer::wait_until_due() {
   const double wanted = config_.frame_rate > 0 ? config_.frame_rate : source_->rate();
-  const Clock::time_point now = world_.steady_time();
-  if (due_ > now) world_.pause(due_ - now);
+  const Clock::time_point now = callbacks_.steady_time();
+  if (due_ > now) callbacks_.pause(due_ - now);
   // After a delay, images are not played faster to catch up.
   due_ = std::max(due_, now) + ticks(Seconds(1 / (wanted > 0 ? wanted : kFolderRate)));
 }

@@ -24,7 +24,7 @@ class SourcePlayer {
   using Seconds = std::chrono::duration<double>;
 
   /// Callbacks of a player, called only in step().
-  struct World {
+  struct Callbacks {
     /// Opens the source; throws FileError when it cannot be opened now.
     std::function<std::unique_ptr<ImageSource>()> open;
     std::function<bool()> has_listener;
@@ -35,7 +35,7 @@ class SourcePlayer {
     std::function<void(const cv::Mat& image, const ros::Time& stamp)> publish;
   };
 
-  SourcePlayer(const CameraConfig& config, World world);
+  SourcePlayer(const CameraConfig& config, Callbacks callbacks);
 
   /// Attempts once to open the source, plays one image, or pauses once. Errors are logged and
   /// reported by health(); the source is then reopened after a pause of 0.5 s, which doubles up to
@@ -61,7 +61,7 @@ class SourcePlayer {
 
   const CameraConfig config_;
   const std::string name_;  // name of the source in messages
-  const World world_;
+  const Callbacks callbacks_;
   CameraHealth health_;
   std::unique_ptr<ImageSource> source_;
   FrozenImage frozen_;

@@ -10,7 +10,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::seconds kSilence{5};  // longest gap between images
+constexpr std::chrono::seconds kImageTimeout{5};  // longest gap between images
 
 std::string nobody_publishes(const std::string& topic) {
   return "no publisher of images on " + topic + "; start the camera, or check the image topic";
@@ -52,9 +52,9 @@ void CameraInput::subscribe() {
       "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
         const std::lock_guard<std::mutex> info_lock(mutex_);
         info_ = info;
-        info_came_ = Clock::now();
+        info_received_ = Clock::now();
       });
-  image_came_ = Clock::now();
+  image_received_ = Clock::now();
   if (transport_fault_.empty()) subscribe_to_images();
 }
 
@@ -63,7 +63,7 @@ void CameraInput::subscribe_to_images() {
     images_ = transport_.subscribe(
         "image_raw", config_.queue_size,
         [this](const sensor_msgs::ImageConstPtr& image) {
-          note_image();
+          on_image_received();
           callback_(image);
         },
         ros::VoidPtr(), image_transport::TransportHints(config_.transport));
@@ -80,9 +80,9 @@ std::uint32_t CameraInput::publishers() const {
   return images_ ? images_.getNumPublishers() : 0;
 }
 
-void CameraInput::note_image() {
+void CameraInput::on_image_received() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  image_came_ = Clock::now();
+  image_received_ = Clock::now();
 }
 
 std::string CameraInput::fault() const {
@@ -90,13 +90,14 @@ std::string CameraInput::fault() const {
   if (!transport_fault_.empty()) return transport_fault_;
   if (!images_) return "";
   if (images_.getNumPublishers() == 0) return nobody_publishes(images_.getTopic());
-  return Clock::now() - image_came_ > kSilence ? kImagesStopped : "";
+  return Clock::now() - image_received_ > kImageTimeout ? kImagesStopped : "";
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return Clock::now() - info_came_ <= std::chrono::duration<double>(config_.max_info_age) ? info_
-                                                                                          : nullptr;
+  return Clock::now() - info_received_ <= std::chrono::duration<double>(config_.max_info_age)
+             ? info_
+             : nullptr;
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,

@@ -59,7 +59,7 @@ class CameraInput {
   void subscribe();
   void subscribe_to_images();
   void unsubscribe();
-  void note_image();
+  void on_image_received();
 
   ros::NodeHandle node_;
   image_transport::ImageTransport transport_;
@@ -72,7 +72,7 @@ class CameraInput {
   image_transport::Subscriber images_;
   ros::Subscriber infos_;
   sensor_msgs::CameraInfoConstPtr info_;
-  Clock::time_point info_came_, image_came_;
+  Clock::time_point info_received_, image_received_;
 };
 
 }  // namespace mbncc::nodelets

@@ -12,7 +12,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{50};  // between two checks for an interrupt
+constexpr std::chrono::milliseconds kPollInterval{50};  // between two checks for an interrupt
 
 // Written in any thread that receives the signal, read in the watches' threads; std::sig_atomic_t
 // is only safe within one thread.
@@ -32,21 +32,21 @@ class SharedHandler {
     if (watches_++ > 0) return;
     struct sigaction ours {};
     ours.sa_handler = note_interrupt;
-    sigaction(SIGINT, &ours, &roscpps_);
+    sigaction(SIGINT, &ours, &previous_action_);
   }
 
   /// Returns true for the last watch.
   bool leave() {
     const std::lock_guard<std::mutex> lock(mutex_);
     if (--watches_ > 0) return false;
-    sigaction(SIGINT, &roscpps_, nullptr);
+    sigaction(SIGINT, &previous_action_, nullptr);
     return true;
   }
 
  private:
   std::mutex mutex_;
   int watches_ = 0;
-  struct sigaction roscpps_ {};
+  struct sigaction previous_action_ {};
 };
 
 SharedHandler shared_handler;
@@ -65,11 +65,11 @@ InterruptWatch::~InterruptWatch() {
 }
 
 void InterruptWatch::watch() {
-  while (!stopped_ && !interrupted) std::this_thread::sleep_for(kGlance);
-  const bool told = interrupted;
-  if (told) on_interrupt_();
+  while (!stopped_ && !interrupted) std::this_thread::sleep_for(kPollInterval);
+  const bool was_interrupted = interrupted;
+  if (was_interrupted) on_interrupt_();
   const bool last = shared_handler.leave();
-  if (told && last) ros::requestShutdown();
+  if (was_interrupted && last) ros::requestShutdown();
 }
 
 }  // namespace mbncc::nodelets

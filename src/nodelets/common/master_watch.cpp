@@ -23,7 +23,7 @@ using XmlRpc::XmlRpcValue;
 constexpr std::chrono::seconds kInterval{1};
 
 /// The registrations of this process at the master.
-struct Standing {
+struct Registrations {
   bool known = false;
   std::vector<std::string> services;
 };
@@ -56,11 +56,11 @@ std::vector<std::string> rows_of_this_node(XmlRpcValue rows) {
   return names;
 }
 
-std::optional<Standing> standing() {
+std::optional<Registrations> registrations() {
   auto state = ask_master("getSystemState", {ros::this_node::getName()});
   if (!state) return {};
   // The state lists publishers, subscribers and services. Every node publishes /rosout.
-  return Standing{!rows_of_this_node((*state)[0]).empty(), rows_of_this_node((*state)[2])};
+  return Registrations{!rows_of_this_node((*state)[0]).empty(), rows_of_this_node((*state)[2])};
 }
 
 /// Sends this process the list of a topic's publishers, as the master would.
@@ -136,7 +136,7 @@ bool MasterWatch::wait() {
 
 void MasterWatch::watch() {
   while (wait() && !ros::isShuttingDown()) {
-    const auto now = standing();
+    const auto now = registrations();
     if (!now || ros::isShuttingDown()) continue;
     if (now->known) {
       services_ = now->services;

@@ -15,8 +15,8 @@ namespace models = sensor_msgs::distortion_models;
 using sensor_msgs::CameraInfo;
 
 constexpr std::uint32_t kLongestSide = 65536;  // [px] largest side of a sensor
-constexpr double kTurnTolerance = 1e-3;        // largest error of a rotation matrix
-constexpr double kSameTurn = 1e-6;             // largest difference to the identity
+constexpr double kRotationTolerance = 1e-3;    // largest error of a rotation matrix
+constexpr double kIdentityTolerance = 1e-6;    // largest difference to the identity
 constexpr double kNoBaseline = 1e-6;           // [px m] largest last column of P that counts as 0
 constexpr char kRemedy[] = "; calibrate the camera";
 
@@ -57,7 +57,7 @@ cv::Matx33d p_of(const CameraInfo& info) {
 
 /// Converts a camera matrix from pixels of the sensor to pixels of the image. The centre of a
 /// binned pixel is the centre of its sensor pixels.
-PinholeCamera seen_through(const Window& window, const cv::Matx33d& matrix) {
+PinholeCamera image_camera_of(const Window& window, const cv::Matx33d& matrix) {
   const double x = window.binning.width, y = window.binning.height;
   return {matrix(0, 0) / x, matrix(1, 1) / y, (matrix(0, 2) - window.region.x - (x - 1) / 2) / x,
           (matrix(1, 2) - window.region.y - (y - 1) / 2) / y};
@@ -75,11 +75,11 @@ bool is_close(const cv::Matx33d& a, const cv::Matx33d& b, double tolerance) {
 }
 
 bool is_rotation(const cv::Matx33d& matrix) {
-  return is_close(matrix * matrix.t(), cv::Matx33d::eye(), kTurnTolerance) &&
+  return is_close(matrix * matrix.t(), cv::Matx33d::eye(), kRotationTolerance) &&
          cv::determinant(matrix) > 0;
 }
 
-bool is_straight(const CameraInfo& info) {
+bool is_undistorted(const CameraInfo& info) {
   // A fisheye's images are distorted even with zero coefficients.
   return info.distortion_model != models::EQUIDISTANT &&
          std::all_of(info.D.begin(), info.D.end(), [](double value) { return value == 0; });
@@ -88,7 +88,7 @@ bool is_straight(const CameraInfo& info) {
 std::string fault_of_distortion(const CameraInfo& info) {
   const std::string& model = info.distortion_model;
   const std::size_t count = info.D.size();
-  if (is_straight(info)) return "";
+  if (is_undistorted(info)) return "";
   std::vector<std::size_t> counts;
   if (model == models::PLUMB_BOB) counts = {5, 4};
   if (model == models::RATIONAL_POLYNOMIAL) counts = {8};
@@ -107,7 +107,7 @@ std::string fault_of_distortion(const CameraInfo& info) {
 std::string fault_of_raw(const CameraInfo& info, cv::Size sensor) {
   const std::string fault = fault_of_camera(k_of(info), sensor);
   if (!fault.empty()) return "camera_info: in K " + fault + kRemedy;
-  if (!is_close(rectification_of(info), cv::Matx33d::eye(), kSameTurn))
+  if (!is_close(rectification_of(info), cv::Matx33d::eye(), kIdentityTolerance))
     return "camera_info: R turns the images, as of a stereo pair; give rectified images";
   return fault_of_distortion(info);
 }
@@ -148,14 +148,14 @@ std::string fault_of_calibration(const CameraInfo& info, bool rectified, cv::Siz
 
 Lens lens_of(const CameraInfo& info) {
   Lens lens;
-  lens.camera = seen_through(*window_of(info), k_of(info));
+  lens.camera = image_camera_of(*window_of(info), k_of(info));
   lens.is_fisheye = info.distortion_model == models::EQUIDISTANT;
-  if (!is_straight(info)) lens.distortion = info.D;
+  if (!is_undistorted(info)) lens.distortion = info.D;
   return lens;
 }
 
 PinholeCamera rectified_camera_of(const CameraInfo& info) {
-  return seen_through(*window_of(info), p_of(info));
+  return image_camera_of(*window_of(info), p_of(info));
 }
 
 cv::Matx33d rectification_of(const CameraInfo& info) {

@@ -25,7 +25,7 @@ geometry_msgs::TransformStamped transform_of(const ros::Time& stamp, const std::
 
 }  // namespace
 
-std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
+std::vector<geometry_msgs::TransformStamped> ObjectFrames::transforms_of(
     const mbncc_vision::DetectedObjectArray& detections) {
   const ros::Time& stamp = detections.header.stamp;
   std::vector<geometry_msgs::TransformStamped> transforms;
@@ -39,14 +39,14 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
     };
     if (!object.child_frame_id.empty()) add(stamp, object.child_frame_id);
     if (object.stable_frame_id.empty()) continue;
-    Followed& followed = followed_[object.stable_frame_id];
+    LastTransform& last = last_transforms_[object.stable_frame_id];
     // tf interpolates: without an earlier transform at the new pose, the frame would seem to move
     // from the last instance to this one.
-    const ros::Time next = followed.stamp + ros::Duration(0, kStep);
-    if (followed.instance_id != 0 && followed.instance_id != object.instance_id && next < stamp)
+    const ros::Time next = last.stamp + ros::Duration(0, kStep);
+    if (last.instance_id != 0 && last.instance_id != object.instance_id && next < stamp)
       add(next, object.stable_frame_id);
     add(stamp, object.stable_frame_id);
-    followed = {object.instance_id, stamp};
+    last = {object.instance_id, stamp};
   }
   if (!transforms.empty()) last_ = stamp;
   return transforms;
@@ -54,7 +54,7 @@ std::vector<geometry_msgs::TransformStamped> ObjectFrames::of(
 
 void ObjectFrames::reset() {
   last_ = ros::Time();
-  followed_.clear();
+  last_transforms_.clear();
 }
 
 }  // namespace mbncc::nodelets

@@ -25,20 +25,20 @@ class ObjectFrames {
   /// their child frames ..._grasp if it has a finite grasp. None if the stamp is not after the last
   /// one. permit_frames() decides which objects have frames. A stable frame switches to another
   /// instance in one step, so that a look-up between two stamps finds no intermediate pose.
-  std::vector<geometry_msgs::TransformStamped> of(
+  std::vector<geometry_msgs::TransformStamped> transforms_of(
       const mbncc_vision::DetectedObjectArray& detections);
 
   /// Call this when the clock has jumped back: older stamps are accepted again.
   void reset();
 
  private:
-  struct Followed {
+  struct LastTransform {
     std::uint32_t instance_id = 0;
     ros::Time stamp;  // stamp of its last transform
   };
 
   ros::Time last_;
-  std::map<std::string, Followed> followed_;  // by name of the stable frame
+  std::map<std::string, LastTransform> last_transforms_;  // by name of the stable frame
 };
 
 }  // namespace mbncc::nodelets

@@ -12,8 +12,8 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kMostMisfit = 0.01;   // [px] largest reprojection error of a ray
-constexpr double kMostSideways = 0.1;  // [rad] largest rotation about the optical axis
+constexpr double kMaxReprojectionError = 0.01;  // [px] largest reprojection error of a ray
+constexpr double kMaxTangentialAngle = 0.1;     // [rad] largest rotation about the optical axis
 constexpr int kIterations = 100;  // OpenCV's default of 5 leaves an error of a tenth of a pixel
 constexpr int kSteps = 64;        // number of steps from the optical axis to a ray
 
@@ -24,7 +24,7 @@ class DistortedRays {
 
   cv::Vec3d operator()(cv::Point2d pixel) const {
     const cv::Point2d straight = undistorted(pixel);
-    if (is_bent_sideways(straight, pixel) || !leads_to(straight, pixel))
+    if (has_tangential_excess(straight, pixel) || !projects_to(straight, pixel))
       return cv::Vec3d::all(std::numeric_limits<double>::quiet_NaN());
     return {straight.x, straight.y, 1};
   }
@@ -56,22 +56,23 @@ class DistortedRays {
 
   /// Whether the pixel is displaced too far sideways. Lenses displace pixels radially; decentred
   /// ones also slightly sideways.
-  bool is_bent_sideways(cv::Point2d direction, cv::Point2d pixel) const {
+  bool has_tangential_excess(cv::Point2d direction, cv::Point2d pixel) const {
     const auto& camera = lens_.camera;
     const cv::Point2d seen((pixel.x - camera.cx) / camera.fx, (pixel.y - camera.cy) / camera.fy);
-    return std::abs(seen.cross(direction)) > kMostSideways * cv::norm(seen) * cv::norm(direction);
+    return std::abs(seen.cross(direction)) >
+           kMaxTangentialAngle * cv::norm(seen) * cv::norm(direction);
   }
 
   /// Whether the direction belongs to a valid ray through the pixel: from the axis to it, the
   /// radius of the pixels must increase monotonically. Far from the axis a distortion model may
   /// fold over, so that a pixel has no ray or a wrong one.
-  bool leads_to(cv::Point2d direction, cv::Point2d pixel) const {
+  bool projects_to(cv::Point2d direction, cv::Point2d pixel) const {
     std::vector<cv::Point2d> directions;
     // The points are denser near the axis, where a fold may be narrow.
     for (int i = 0; i <= kSteps; ++i)
       directions.push_back(direction * (double(i * i) / (kSteps * kSteps)));
     const auto pixels = distorted(directions);
-    if (!(cv::norm(pixels.back() - pixel) < kMostMisfit)) return false;
+    if (!(cv::norm(pixels.back() - pixel) < kMaxReprojectionError)) return false;
     const cv::Point2d outwards = pixel - pixels.front();
     for (int i = 1; i <= kSteps; ++i)
       if (!((pixels[i] - pixels[i - 1]).dot(outwards) >= 0)) return false;

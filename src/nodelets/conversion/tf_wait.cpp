@@ -7,7 +7,7 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr std::chrono::milliseconds kGlance{1};  // between two checks of tf
+constexpr std::chrono::milliseconds kPollInterval{1};  // between two checks of tf
 
 /// Whether the frames are connected, but their newest transform is older than `stamp`, by at most
 /// `patience` [s].
@@ -29,7 +29,7 @@ void wait_for_transform(const tf2_ros::Buffer& tf, const std::string& target,
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(patience);
   while (Clock::now() < end && lags_behind(tf, target, source, stamp, patience))
-    std::this_thread::sleep_for(kGlance);
+    std::this_thread::sleep_for(kPollInterval);
 }
 
 std::string tf_fault(const tf2::TransformException& error) {

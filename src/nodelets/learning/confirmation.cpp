@@ -7,7 +7,7 @@ namespace mbncc::nodelets {
 namespace {
 
 // Interval at which a waiting lesson checks for cancellation.
-constexpr std::chrono::milliseconds kGlance{50};
+constexpr std::chrono::milliseconds kPollInterval{50};
 
 Confirmation::Response refuse(const char* message) {
   Confirmation::Response response;
@@ -40,7 +40,7 @@ std::optional<Confirmation::Request> Confirmation::next(const std::function<bool
   const auto end = std::chrono::steady_clock::now() + patience;
   std::unique_lock<std::mutex> lock(mutex_);
   while (!interrupted() && std::chrono::steady_clock::now() < end)
-    if (changed_.wait_for(lock, kGlance, [this] { return request_ && !response_; }))
+    if (changed_.wait_for(lock, kPollInterval, [this] { return request_ && !response_; }))
       return request_;
   return {};
 }

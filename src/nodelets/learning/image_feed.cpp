@@ -15,11 +15,11 @@ ImageFeed::~ImageFeed() {
   worker_.join();
 }
 
-ImageFeed::View ImageFeed::look() const {
+ImageFeed::State ImageFeed::state() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  View view = view_;
-  view.silence = std::chrono::duration<double>(std::chrono::steady_clock::now() - arrived_).count();
-  return view;
+  State copy = state_;
+  copy.silence = std::chrono::duration<double>(std::chrono::steady_clock::now() - arrived_).count();
+  return copy;
 }
 
 std::optional<StillShot> ImageFeed::before_change() const {
@@ -40,9 +40,9 @@ void ImageFeed::work() {
 
 void ImageFeed::refuse(const std::string& fault) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  ++view_.refused;
-  view_.fault = fault;
-  view_.newest_refused = true;
+  ++state_.refused;
+  state_.fault = fault;
+  state_.newest_refused = true;
 }
 
 void ImageFeed::watch(const sensor_msgs::Image& message) {
@@ -51,10 +51,10 @@ void ImageFeed::watch(const sensor_msgs::Image& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
   watch_.update(message.header.stamp.toSec(), decoded.image);
   arrived_ = std::chrono::steady_clock::now();
-  view_.any_image = true;
-  view_.newest_refused = false;
-  view_.still = watch_.still();
-  view_.header = message.header;
+  state_.any_image = true;
+  state_.newest_refused = false;
+  state_.still = watch_.still();
+  state_.header = message.header;
 }
 
 }  // namespace mbncc::nodelets

@@ -30,7 +30,7 @@ class ImageFeed {
   void put(const sensor_msgs::ImageConstPtr& image) { mailbox_.put(image); }
 
   /// State of the live scene.
-  struct View {
+  struct State {
     bool any_image = false;          ///< a usable image has arrived
     std::optional<StillShot> still;  ///< see SceneWatch::still()
     std_msgs::Header header;         ///< of the newest image
@@ -39,7 +39,7 @@ class ImageFeed {
     std::string fault;               ///< why the last refused image was refused
     bool newest_refused = false;     ///< the newest image was refused
   };
-  View look() const;
+  State state() const;
 
   /// See SceneWatch::before_change(); it compares images, so do not poll it.
   std::optional<StillShot> before_change() const;
@@ -53,7 +53,7 @@ class ImageFeed {
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
   mutable std::mutex mutex_;
   SceneWatch watch_;
-  View view_;
+  State state_;
   std::chrono::steady_clock::time_point arrived_;
   std::thread worker_;
 };

@@ -69,7 +69,7 @@ class LearningNodelet : public GuardedNodelet {
   bool mark_grasp(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool confirm(mbncc_vision::ConfirmLearning::Request& request,
                mbncc_vision::ConfirmLearning::Response& response);
-  void look_for_changes();
+  void refresh_library();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   LearningNodeConfig config_;
@@ -131,7 +131,7 @@ void LearningNodelet::open_library(ros::NodeHandle& node) {
       folder, [this, folder](const auto& snapshot) { tell_library(folder, *snapshot); });
   library_services_ = std::make_unique<LibraryServices>(node, library_);
   library_timer_ =
-      node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+      node.createWallTimer(ros::WallDuration(1), [this](const auto&) { refresh_library(); });
 }
 
 void LearningNodelet::tell_library(const std::string& folder, const LibrarySnapshot& snapshot) {
@@ -141,7 +141,7 @@ void LearningNodelet::tell_library(const std::string& folder, const LibrarySnaps
   library_publisher_->publish(folder, snapshot);
 }
 
-void LearningNodelet::look_for_changes() {
+void LearningNodelet::refresh_library() {
   try {
     library_->refresh(false);
   } catch (const std::exception& error) {
@@ -193,7 +193,7 @@ mbncc_vision::LearnObjectResult LearningNodelet::teach(LessonClient& client) {
 bool LearningNodelet::mark_grasp(std_srvs::Trigger::Request&,
                                  std_srvs::Trigger::Response& response) {
   try {
-    gauge_->mark(images_->look().header);
+    gauge_->mark(images_->state().header);
     response.success = true;
     response.message = lessons_->busy() ? "marked; stored with the running lesson"
                                         : "marked; stored with the next lesson, if that is "
@@ -213,20 +213,20 @@ bool LearningNodelet::confirm(mbncc_vision::ConfirmLearning::Request& request,
 
 void LearningNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  const ImageFeed::View view = images_->look();
+  const ImageFeed::State state = images_->state();
   const auto library = library_->snapshot();
   const std::string fault = library_->fault().empty() ? camera_->fault() : library_->fault();
   if (!fault.empty())
     status.summary(DiagnosticStatus::ERROR, fault);
-  else if (view.newest_refused)
-    status.summary(DiagnosticStatus::ERROR, "no usable image: " + view.fault);
-  else if (!view.any_image)
+  else if (state.newest_refused)
+    status.summary(DiagnosticStatus::ERROR, "no usable image: " + state.fault);
+  else if (!state.any_image)
     status.summary(DiagnosticStatus::ERROR, "no image received yet");
   else
     status.summary(DiagnosticStatus::OK, lessons_->busy() ? "teaching" : "idle");
-  status.add("scene", view.still ? "still" : "moving");
-  status.add("images refused", view.refused);
-  status.add("last fault", view.fault);
+  status.add("scene", state.still ? "still" : "moving");
+  status.add("images refused", state.refused);
+  status.add("last fault", state.fault);
   status.add("library", library_->folder());
   status.add("objects", library->objects.size());
   status.add(kQuarantinedKey, library->quarantined.size());

@@ -87,7 +87,7 @@ bool LessonDraft::undo() {
   return undone;
 }
 
-bool LessonDraft::lies_there_yet() const {
+bool LessonDraft::overlaps_old_place() const {
   if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
   const cv::Mat map = full_size_map(learned_.object.views.front());
   return part_put_down(map, images_.before().image, images_.after().image) >= kMostPutDown;

@@ -39,7 +39,7 @@ class LessonDraft {
   const LearnResult& learned() const { return learned_; }
 
   /// Whether the object was put down so near its old place that the map contains both places.
-  bool lies_there_yet() const;
+  bool overlaps_old_place() const;
 
   /// Whether the verdict allows storing, or the goal allows the verdict BAD.
   bool may_be_stored() const;

@@ -15,8 +15,8 @@ namespace {
 using Feedback = mbncc_vision::LearnObjectFeedback;
 using Goal = mbncc_vision::LearnObjectGoal;
 
-constexpr std::chrono::milliseconds kGlance{30};  // between two checks of the live scene
-constexpr int kGlancesPerWord = 15;  // number of checks between two messages to the operator
+constexpr std::chrono::milliseconds kPollInterval{30};  // between two checks of the live scene
+constexpr int kChecksPerMessage = 15;  // number of checks between two messages to the operator
 
 constexpr double kSilentCamera = 2;  // [s] without an image before the operator is informed
 
@@ -27,21 +27,21 @@ const char* const kCameraMovedSinceGiven =
     "The camera has moved since the image before was taken: put it back, or teach with a new "
     "one.";
 
-const char* removal_sentence(Demonstration::Anew why) {
-  using Anew = Demonstration::Anew;
+const char* removal_sentence(Demonstration::RestartReason why) {
+  using RestartReason = Demonstration::RestartReason;
   switch (why) {
-    case Anew::kLight:
+    case RestartReason::kLight:
       return "The light has changed; the lesson continues with the current image. Take the "
              "object "
              "away now.";
-    case Anew::kEdgeLeft:
+    case RestartReason::kEdgeLeft:
       return "The arm or hand at the image's edge has left; the lesson continues with the "
              "current image. If the object is gone as well, put it back fully into view; then "
              "take it away.";
-    case Anew::kEverything:
+    case RestartReason::kEverything:
       return "Nearly everything has changed, as when the camera is moved; the lesson continues "
              "with the current image. Make sure that the object is in view, then take it away.";
-    case Anew::kPutDown:
+    case RestartReason::kPutDown:
       return "No object has left its place; what was put down now belongs to the scene. Take the "
              "object farther away or out of the image.";
     default:
@@ -88,7 +88,7 @@ const Calibration& LessonImages::calibration() {
   return calibration_;
 }
 
-bool LessonImages::can_wait_on() const {
+bool LessonImages::can_wait_for_next_change() const {
   return goal_.mode == Goal::CHANGE && !is_given(goal_.after) && !goal_.already_moved;
 }
 
@@ -100,9 +100,9 @@ LessonImage LessonImages::given(const sensor_msgs::Image& message, const std::st
 
 void LessonImages::take_already_moved() {
   if (after_.image.empty())
-    watch([this](const ImageFeed::View& view) {
-      if (!view.still) return Step::kWaitStill;
-      after_ = image_of(*view.still, view.header.frame_id);
+    watch([this](const ImageFeed::State& state) {
+      if (!state.still) return Step::kWaitStill;
+      after_ = image_of(*state.still, state.header.frame_id);
       return Step::kReady;
     });
   const auto before = feed_.before_change();
@@ -113,21 +113,21 @@ void LessonImages::take_already_moved() {
 }
 
 void LessonImages::wait_for_before() {
-  watch([this](const ImageFeed::View& view) {
-    if (demonstration_.look(view.still) == Step::kWaitStill) return Step::kWaitStill;
-    take_before(image_of(demonstration_.before(), view.header.frame_id));
+  watch([this](const ImageFeed::State& state) {
+    if (demonstration_.update(state.still) == Step::kWaitStill) return Step::kWaitStill;
+    take_before(image_of(demonstration_.before(), state.header.frame_id));
     return Step::kReady;
   });
 }
 
 void LessonImages::wait_for_change() {
-  watch([this](const ImageFeed::View& view) {
-    if (view.still && view.still->image.size() != before_.image.size())
+  watch([this](const ImageFeed::State& state) {
+    if (state.still && state.still->image.size() != before_.image.size())
       end_lesson(LearnError::kImageMismatch);
-    const Step step = demonstrate(view.still);
+    const Step step = demonstrate(state.still);
     if (demonstration_.before().image.data != before_.image.data)
-      take_before(image_of(demonstration_.before(), view.header.frame_id));
-    if (step == Step::kReady) after_ = image_of(demonstration_.after(), view.header.frame_id);
+      take_before(image_of(demonstration_.before(), state.header.frame_id));
+    if (step == Step::kReady) after_ = image_of(demonstration_.after(), state.header.frame_id);
     return step;
   });
 }
@@ -136,52 +136,52 @@ void LessonImages::wait_for_change() {
 /// unless the goal contains it, replaced. Something that reaches in from the edge leaves it valid.
 LessonImages::Step LessonImages::demonstrate(const std::optional<StillShot>& still) {
   const cv::Mat was = demonstration_.before().image;
-  const Step step = demonstration_.look(still);
+  const Step step = demonstration_.update(still);
   const cv::Mat is = demonstration_.before().image;
   if (is.data != was.data) camera_moved_ = camera_moved(was, is);
-  if (step != Step::kAtBorder || still->stamp == followed_at_) return step;
-  followed_at_ = still->stamp;
+  if (step != Step::kAtBorder || still->stamp == camera_checked_at_) return step;
+  camera_checked_at_ = still->stamp;
   camera_moved_ = camera_moved(is, still->image);
   if (!camera_moved_ || is_given(goal_.before)) return step;
   demonstration_ = Demonstration();
-  demonstration_.look(still);
+  demonstration_.update(still);
   return Step::kWaitRemoval;
 }
 
-void LessonImages::wait_on() {
+void LessonImages::wait_for_next_change() {
   camera_moved_ = camera_moved(before_.image, after_.image);
-  demonstration_.go_on();
+  demonstration_.continue_waiting();
   if (!is_given(goal_.before))
     take_before(image_of(demonstration_.before(), after_.header.frame_id));
   wait_for_change();
 }
 
-void LessonImages::watch(const std::function<Step(const ImageFeed::View&)>& look) {
-  for (int glance = 0;; ++glance) {
-    const ImageFeed::View view = feed_.look();
-    if (const auto why = feedback_.interruption()) fail_waiting(*why, view);
-    const bool word_due = glance % kGlancesPerWord == 0;
-    if (view.any_image && view.silence > kSilentCamera) {
-      if (word_due) say_silence(view);
-    } else if (view.any_image) {
-      const Step step = look(view);
+void LessonImages::watch(const std::function<Step(const ImageFeed::State&)>& next_step) {
+  for (int check = 0;; ++check) {
+    const ImageFeed::State state = feed_.state();
+    if (const auto why = feedback_.interruption()) fail_waiting(*why, state);
+    const bool message_due = check % kChecksPerMessage == 0;
+    if (state.any_image && state.silence > kSilentCamera) {
+      if (message_due) report_missing_images(state);
+    } else if (state.any_image) {
+      const Step step = next_step(state);
       if (step == Step::kReady) return;
-      if (word_due) say(step);
-    } else if (word_due) {
+      if (message_due) report_step(step);
+    } else if (message_due) {
       feedback_.tell(Feedback::WAIT_IMAGE, 0, "Waiting for an image from the camera.");
     }
-    std::this_thread::sleep_for(kGlance);
+    std::this_thread::sleep_for(kPollInterval);
   }
 }
 
-void LessonImages::say_silence(const ImageFeed::View& view) {
+void LessonImages::report_missing_images(const ImageFeed::State& state) {
   feedback_.ask(Feedback::WAIT_IMAGE, 0,
                 "The camera has sent no image for " +
-                    std::to_string(static_cast<int>(view.silence)) +
+                    std::to_string(static_cast<int>(state.silence)) +
                     " s: check its cable and driver. The lesson continues with the next image.");
 }
 
-void LessonImages::say(Step step) {
+void LessonImages::report_step(Step step) {
   switch (step) {
     case Step::kWaitStill:
       return feedback_.ask(Feedback::WAIT_IMAGE, 0.02,
@@ -195,19 +195,20 @@ void LessonImages::say(Step step) {
                                ? kCameraMovedSinceGiven
                                : "Something reaches into the image from its edge: move it out.");
     default:
-      return feedback_.ask(Feedback::WAIT_REMOVAL, 0.1,
-                           camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.anew()));
+      return feedback_.ask(
+          Feedback::WAIT_REMOVAL, 0.1,
+          camera_moved_ ? kCameraMoved : removal_sentence(demonstration_.restart_reason()));
   }
 }
 
-void LessonImages::fail_waiting(LearnError interruption, const ImageFeed::View& view) const {
+void LessonImages::fail_waiting(LearnError interruption, const ImageFeed::State& state) const {
   if (interruption != LearnError::kTimeout) end_lesson(interruption);
-  if (!view.any_image)
+  if (!state.any_image)
     end_lesson(LearnError::kNoImage,
-               view.fault.empty() ? "" : "No usable image arrived: " + view.fault + ".");
-  const LearnError error = view.silence > kSilentCamera ? LearnError::kNoImage
-                           : view.still                 ? LearnError::kTimeout
-                                                        : LearnError::kNotStill;
+               state.fault.empty() ? "" : "No usable image arrived: " + state.fault + ".");
+  const LearnError error = state.silence > kSilentCamera ? LearnError::kNoImage
+                           : state.still                 ? LearnError::kTimeout
+                                                         : LearnError::kNotStill;
   const std::string& request = feedback_.last_request();
   if (request.empty()) end_lesson(error);
   end_lesson(error, std::string(message_of(error)) + " Last message: " + request,

@@ -37,11 +37,11 @@ class LessonImages {
   void take();
 
   /// Whether the image after can be replaced by a later one.
-  bool can_wait_on() const;
+  bool can_wait_for_next_change() const;
 
   /// Waits for another change, because the current images do not show that an object has left.
   /// Things that were put down belong to the scene from now on.
-  void wait_on();
+  void wait_for_next_change();
 
   const LessonImage& before() const { return before_; }
   const LessonImage& after() const { return after_; }  ///< empty: the goal's mode needs none
@@ -60,18 +60,18 @@ class LessonImages {
   void wait_for_before();
   void wait_for_change();
   Step demonstrate(const std::optional<StillShot>& still);
-  void watch(const std::function<Step(const ImageFeed::View&)>& look);
-  void say(Step step);
-  void say_silence(const ImageFeed::View& view);
-  [[noreturn]] void fail_waiting(LearnError interruption, const ImageFeed::View& view) const;
+  void watch(const std::function<Step(const ImageFeed::State&)>& next_step);
+  void report_step(Step step);
+  void report_missing_images(const ImageFeed::State& state);
+  [[noreturn]] void fail_waiting(LearnError interruption, const ImageFeed::State& state) const;
 
   const mbncc_vision::LearnObjectGoal& goal_;
   ImageFeed& feed_;
   const LessonGauge& gauge_;
   LessonFeedback& feedback_;
   Demonstration demonstration_;
-  bool camera_moved_ = false;  // which made the image before useless
-  double followed_at_ = 0;     // [s] stamp of the last image checked for camera motion
+  bool camera_moved_ = false;     // which made the image before useless
+  double camera_checked_at_ = 0;  // [s] stamp of the last image checked for camera motion
   LessonImage before_, after_;
   Calibration calibration_;  // of the image before
 };

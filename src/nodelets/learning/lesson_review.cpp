@@ -61,14 +61,18 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
 
 }  // namespace
 
-LessonReview::LessonReview(Confirmation& desk, LessonDraft& draft, LessonFeedback& feedback,
+LessonReview::LessonReview(Confirmation& confirmation, LessonDraft& draft, LessonFeedback& feedback,
                            cv::Size image, bool further_view)
-    : desk_(desk), draft_(draft), feedback_(feedback), image_(image), further_view_(further_view) {
-  desk_.open();
+    : confirmation_(confirmation),
+      draft_(draft),
+      feedback_(feedback),
+      image_(image),
+      further_view_(further_view) {
+  confirmation_.open();
 }
 
 LessonReview::~LessonReview() {
-  desk_.close();
+  confirmation_.close();
 }
 
 bool LessonReview::is_accepted() {
@@ -85,7 +89,7 @@ void LessonReview::answer(bool success, const std::string& message) {
   response.success = success;
   response.message = message;
   response.quality = to_msg(draft_.learned().object.quality);
-  desk_.answer(response);
+  confirmation_.answer(response);
 }
 
 Request LessonReview::next_command() {
@@ -93,7 +97,7 @@ Request LessonReview::next_command() {
     feedback_.ask(Feedback::WAIT_CONFIRM, kLearned,
                   question_about(draft_.learned().object.quality));
     const auto command =
-        desk_.next([this] { return feedback_.interruption().has_value(); }, kReminder);
+        confirmation_.next([this] { return feedback_.interruption().has_value(); }, kReminder);
     feedback_.leave_if_interrupted();
     if (command) return *command;
   }

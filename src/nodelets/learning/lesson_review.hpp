@@ -13,8 +13,8 @@ class LessonReview {
  public:
   /// The references must outlive this object. `image` is the size [px] of the learning image. With
   /// `further_view`, the object's frame is that of the stored object and cannot be moved.
-  LessonReview(Confirmation& desk, LessonDraft& draft, LessonFeedback& feedback, cv::Size image,
-               bool further_view);
+  LessonReview(Confirmation& confirmation, LessonDraft& draft, LessonFeedback& feedback,
+               cv::Size image, bool further_view);
   ~LessonReview();
 
   /// Carries out edits until the operator accepts a draft that may be stored (true) or rejects it
@@ -28,7 +28,7 @@ class LessonReview {
   void carry_out(const Confirmation::Request& command);
   void edit(const Confirmation::Request& command);
 
-  Confirmation& desk_;
+  Confirmation& confirmation_;
   LessonDraft& draft_;
   LessonFeedback& feedback_;
   const cv::Size image_;

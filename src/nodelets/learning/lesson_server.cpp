@@ -14,7 +14,7 @@ using Result = mbncc_vision::LearnObjectResult;
 
 // roscpp sends a published message on another thread; an action server that is destroyed at once
 // would lose the result.
-constexpr std::chrono::milliseconds kFarewell{100};
+constexpr std::chrono::milliseconds kResultFlushTime{100};
 
 }  // namespace
 
@@ -82,7 +82,7 @@ void LessonServer::end() {
     changed_.notify_all();
   }
   worker_.join();
-  if (interrupted) std::this_thread::sleep_for(kFarewell);
+  if (interrupted) std::this_thread::sleep_for(kResultFlushTime);
 }
 
 bool LessonServer::busy() const {

@@ -30,15 +30,15 @@ LessonSession::Result LessonSession::run() {
 LessonSession::Result LessonSession::teach() {
   images_.take();
   draft_.learn();
-  bool lies_there_yet = draft_.lies_there_yet();
+  bool overlaps_old_place = draft_.overlaps_old_place();
   // No object has left: the coarse comparison was wrong, or something was put down.
-  while ((lies_there_yet || draft_.learned().error == LearnError::kNoChange) &&
-         images_.can_wait_on()) {
-    images_.wait_on();
+  while ((overlaps_old_place || draft_.learned().error == LearnError::kNoChange) &&
+         images_.can_wait_for_next_change()) {
+    images_.wait_for_next_change();
     draft_.learn();
-    lies_there_yet = draft_.lies_there_yet();
+    overlaps_old_place = draft_.overlaps_old_place();
   }
-  if (lies_there_yet)
+  if (overlaps_old_place)
     end_lesson(LearnError::kNoChange, "The object was put down where it covers its old place.",
                "Put it farther away, or take it out of the image.");
   if (goal_.confirm && draft_.learned().has_model) return review();

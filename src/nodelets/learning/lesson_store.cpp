@@ -13,7 +13,7 @@ namespace mbncc::nodelets {
 namespace {
 
 /// Sentence about where the object was put aside; "" if it was not found again.
-std::string second_view(const LearnResult& learned) {
+std::string put_aside_sentence(const LearnResult& learned) {
   const auto& seen = learned.put_aside;
   if (!seen) return "";
   const double turn = seen->pose.theta - learned.object.views.back().reference.theta;
@@ -46,8 +46,9 @@ mbncc_vision::LearnObjectResult LessonStore::store(const LearnResult& learned,
     const ObjectModel stored = save(model, calibration, lacking);
     const std::string message =
         "Learned '" + name_ + "', verdict " + to_string(stored.quality.verdict) + ".";
-    return with_object(outcome(LearnError::kSuccess, message + second_view(learned) + lacking),
-                       stored, images_.before());
+    return with_object(
+        outcome(LearnError::kSuccess, message + put_aside_sentence(learned) + lacking), stored,
+        images_.before());
   } catch (const std::exception& failure) {
     return with_object(outcome(Refusal(failure)), model, images_.before());
   }
@@ -79,10 +80,10 @@ std::string LessonStore::measure(ObjectModel& model, const Calibration& calibrat
                            model.views.back().reference, model.object_height);
   if (!goal_.add_view) model.metres_per_pixel = measures.metres_per_pixel;
   if (measures.grasp) model.grasp = measures.grasp;
-  return lack(measures);
+  return missing_data_message(measures);
 }
 
-std::string LessonStore::lack(const LessonMeasures& measures) const {
+std::string LessonStore::missing_data_message(const LessonMeasures& measures) const {
   if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return "";
   const std::string what = goal_.add_view    ? "The marked grasp was not stored"
                            : measures.marked ? "Learned without scale and marked grasp"

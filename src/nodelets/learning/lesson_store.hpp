@@ -27,7 +27,7 @@ class LessonStore {
 
  private:
   std::string measure(ObjectModel& model, const Calibration& calibration) const;
-  std::string lack(const LessonMeasures& measures) const;
+  std::string missing_data_message(const LessonMeasures& measures) const;
   ObjectModel save(ObjectModel model, const Calibration& calibration, std::string& lacking) const;
 
   const mbncc_vision::LearnObjectGoal& goal_;

@@ -66,7 +66,7 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
 }
 
 /// Rotates the object's frame by half a turn about its x axis.
-void turn_over(DetectedObject& object) {
+void flip_z_axis(DetectedObject& object) {
   object.pose.pose = compose(object.pose.pose, half_turn_about_x());
   for (auto& corner : object.footprint.points) {
     corner.y = -corner.y;
@@ -166,7 +166,7 @@ DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const Ob
   object.footprint = footprint_of(*model);
   object.has_grasp = model->grasp.has_value();
   if (model->grasp) object.grasp = compose(object.pose.pose, to_msg(*model->grasp));
-  if (config_.object_frame_z == "out") turn_over(object);
+  if (config_.object_frame_z == "out") flip_z_axis(object);
   const std::string frame = config_.tf_prefix + "object_" + match.name;
   object.child_frame_id = frame + "_" + std::to_string(tracked.frame_index);
   if (tracked.is_best) object.stable_frame_id = frame;

@@ -49,7 +49,7 @@ double DetectionPublisher::publish(Detections detections, const cv::Mat& image,
   permit_frames(array, ros::Time::now(), extras.tf);
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
-  const auto transforms = frames_.of(array);
+  const auto transforms = frames_.transforms_of(array);
   if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
   publish_images(array, image, score_map, extras.scores_under_overlay);

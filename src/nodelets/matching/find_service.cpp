@@ -80,7 +80,7 @@ void keep_named(DetectedObjectArray& array, const std::vector<std::string>& name
 
 /// Removes the instance ids. Every call tracks its own instances, whose ids would be confused with
 /// those of the stream.
-void leave_unnumbered(DetectedObjectArray& array) {
+void clear_instance_ids(DetectedObjectArray& array) {
   for (auto& object : array.objects) object.instance_id = 0;
 }
 
@@ -107,10 +107,10 @@ double timeout_of(const Request& request) {
 }
 
 /// Counts a call while it runs.
-class Counted {
+class CallCounter {
  public:
-  explicit Counted(std::atomic<int>& calls) : calls_(calls), number_(++calls) {}
-  ~Counted() { --calls_; }
+  explicit CallCounter(std::atomic<int>& calls) : calls_(calls), number_(++calls) {}
+  ~CallCounter() { --calls_; }
 
   bool is_one_too_many() const { return number_ > kMostCalls; }
 
@@ -141,12 +141,12 @@ void FindService::close() {
 }
 
 bool FindService::on_call(Request& request, Response& response) {
-  const Counted call(calls_);
+  const CallCounter call(calls_);
   try {
     if (call.is_one_too_many()) refuse_busy();
     Detections detections = find(request);
     keep_named(detections.array, request.names, *detections.library);
-    leave_unnumbered(detections.array);
+    clear_instance_ids(detections.array);
     permit_frames(detections.array, ros::Time::now(), false);
     response.detections = detections.array;
     response.success = true;
@@ -182,7 +182,7 @@ Detections FindService::find_given(const Request& request, const MatchingNodeCon
       decoded.image, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
   const auto search = search_request(request, config, decoded.image.size());
-  const auto lock = turn(deadline);
+  const auto lock = lock_search(deadline);
   return pipeline.process(received, search);
 }
 
@@ -202,7 +202,7 @@ Detections FindService::find_live(const Request& request, const MatchingNodeConf
       if (verdict == StampGate::Verdict::kAhead) refuse_future();
     } while (verdict != StampGate::Verdict::kFresh);
     const auto search = search_request(request, config, received.image.size());
-    const auto lock = turn(deadline);
+    const auto lock = lock_search(deadline);
     tracked = pipeline.track(received, search);
   }
   return pipeline.describe(received, tracked);
@@ -219,7 +219,7 @@ ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
           tools_.camera.camera_info_for(message->header.frame_id, decoded.image.size())};
 }
 
-std::unique_lock<std::timed_mutex> FindService::turn(Clock::time_point deadline) {
+std::unique_lock<std::timed_mutex> FindService::lock_search(Clock::time_point deadline) {
   std::unique_lock<std::timed_mutex> lock(searching_, deadline);
   if (!lock) refuse_busy();
   return lock;

@@ -57,7 +57,7 @@ class FindService {
                        DetectionPipeline& pipeline, Clock::time_point deadline);
   ReceivedImage next_image(const ros::Time& after, int white_level,
                            Clock::time_point deadline) const;
-  std::unique_lock<std::timed_mutex> turn(Clock::time_point deadline);
+  std::unique_lock<std::timed_mutex> lock_search(Clock::time_point deadline);
 
   const FindTools tools_;
   std::atomic<int> calls_{0};   // number of running calls

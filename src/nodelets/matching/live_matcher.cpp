@@ -62,7 +62,7 @@ Found LiveMatcher::find(const cv::Mat& image, SearchRequest request) const {
   found.library = searched_;
   const auto dropped = drop_unfit(*searched_, matcher_.unsearchable(), image.size(), request.names);
   // An empty list would mean all objects.
-  sort_by_turn(request.names);
+  sort_least_recent_first(request.names);
   if (!request.names.empty()) found.result = matcher_.find(image, request);
   note_searched(found.result.searched);
   found.result.skipped.insert(found.result.skipped.end(), dropped.begin(), dropped.end());
@@ -95,20 +95,21 @@ Found LiveMatcher::nothing_found(const std::vector<std::string>& names) const {
   return found;
 }
 
-void LiveMatcher::sort_by_turn(std::vector<std::string>& names) const {
-  const std::lock_guard<std::mutex> lock(turns_mutex_);
-  const auto turn = [this](const std::string& name) {
-    const auto last = last_turn_.find(name);
-    return last == last_turn_.end() ? 0 : last->second;
+void LiveMatcher::sort_least_recent_first(std::vector<std::string>& names) const {
+  const std::lock_guard<std::mutex> lock(searches_mutex_);
+  const auto last_search = [this](const std::string& name) {
+    const auto last = last_search_.find(name);
+    return last == last_search_.end() ? 0 : last->second;
   };
-  std::stable_sort(names.begin(), names.end(),
-                   [&](const std::string& a, const std::string& b) { return turn(a) < turn(b); });
+  std::stable_sort(names.begin(), names.end(), [&](const std::string& a, const std::string& b) {
+    return last_search(a) < last_search(b);
+  });
 }
 
 void LiveMatcher::note_searched(const std::vector<std::string>& names) const {
-  const std::lock_guard<std::mutex> lock(turns_mutex_);
-  ++turns_;
-  for (const auto& name : names) last_turn_[name] = turns_;
+  const std::lock_guard<std::mutex> lock(searches_mutex_);
+  ++searches_;
+  for (const auto& name : names) last_search_[name] = searches_;
 }
 
 cv::Mat LiveMatcher::score_map(const cv::Mat& image) const {

@@ -60,12 +60,12 @@ class LiveMatcher {
   void note_unreadable(const std::string& reason);
   Found nothing_found(const std::vector<std::string>& names) const;
 
-  void sort_by_turn(std::vector<std::string>& names) const;
+  void sort_least_recent_first(std::vector<std::string>& names) const;
   void note_searched(const std::vector<std::string>& names) const;
 
-  mutable std::mutex turns_mutex_;
-  mutable std::map<std::string, std::uint64_t> last_turn_;  // last search of each object
-  mutable std::uint64_t turns_ = 0;
+  mutable std::mutex searches_mutex_;
+  mutable std::map<std::string, std::uint64_t> last_search_;  // last search of each object
+  mutable std::uint64_t searches_ = 0;
   mutable std::shared_mutex mutex_;
   Matcher matcher_;
   SharedLibrary::Snapshot searched_;  // the library whose objects matcher_ holds

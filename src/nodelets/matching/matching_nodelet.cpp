@@ -68,11 +68,11 @@ class MatchingNodelet : public GuardedNodelet {
 
   bool enable(std_srvs::SetBool::Request& request, std_srvs::SetBool::Response& response);
   void change_settings(const std::function<void(const Rows&)>& use);
-  void take_settings();
-  void take_roi(const sensor_msgs::RegionOfInterest& roi);
+  void apply_settings();
+  void on_roi(const sensor_msgs::RegionOfInterest& roi);
   bool list(mbncc_vision::ListObjects::Request& request,
             mbncc_vision::ListObjects::Response& response);
-  void look_for_changes();
+  void refresh_library();
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   std::unique_ptr<LiveSettings> settings_;
@@ -138,9 +138,9 @@ void MatchingNodelet::open_library() {
   // The topic reports a change sooner than the periodic check of the folder.
   library_subscriber_ = side_node.subscribe<mbncc_vision::LearnedObjectArray>(
       "object_library", 1,
-      [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { look_for_changes(); });
+      [this](const mbncc_vision::LearnedObjectArrayConstPtr&) { refresh_library(); });
   library_timer_ =
-      side_node.createWallTimer(ros::WallDuration(1), [this](const auto&) { look_for_changes(); });
+      side_node.createWallTimer(ros::WallDuration(1), [this](const auto&) { refresh_library(); });
 }
 
 void MatchingNodelet::start_search() {
@@ -170,15 +170,15 @@ void MatchingNodelet::start_services() {
   enable_server_ = private_node().advertiseService("enable", &MatchingNodelet::enable, this);
   reconfigure_ = std::make_unique<Reconfigure>(
       side_private_node, [this](const auto& use) { change_settings(use); },
-      [this] { take_settings(); });
+      [this] { apply_settings(); });
   list_server_ = side_private_node.advertiseService("list_objects", &MatchingNodelet::list, this);
-  roi_subscriber_ = side_private_node.subscribe("search_roi", 1, &MatchingNodelet::take_roi, this);
+  roi_subscriber_ = side_private_node.subscribe("search_roi", 1, &MatchingNodelet::on_roi, this);
 }
 
 void MatchingNodelet::start_watching() {
   // A wall timer, because a simulated clock may stop, and then images stop as well.
-  silence_timer_ = node().createWallTimer(
-      ros::WallDuration(0.1), [this](const auto&) { worker_->look_for_silence(wanted()); });
+  silence_timer_ = node().createWallTimer(ros::WallDuration(0.1),
+                                          [this](const auto&) { worker_->check_stale(wanted()); });
   report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kMatchingTask,
                                            [this](auto& status) { diagnose(status); });
 }
@@ -210,13 +210,13 @@ void MatchingNodelet::change_settings(const std::function<void(const Rows&)>& us
   });
 }
 
-void MatchingNodelet::take_settings() {
+void MatchingNodelet::apply_settings() {
   // Earlier detections were evaluated with other thresholds.
-  if (matcher_->configure(settings_->get().search)) worker_->begin_anew();
+  if (matcher_->configure(settings_->get().search)) worker_->invalidate_detections();
   listen_as_wanted();
 }
 
-void MatchingNodelet::take_roi(const sensor_msgs::RegionOfInterest& roi) {
+void MatchingNodelet::on_roi(const sensor_msgs::RegionOfInterest& roi) {
   const std::string text = roi.width == 0 || roi.height == 0
                                ? ""
                                : std::to_string(roi.x_offset) + "," + std::to_string(roi.y_offset) +
@@ -235,14 +235,15 @@ bool MatchingNodelet::list(mbncc_vision::ListObjects::Request& request,
 
 bool MatchingNodelet::enable(std_srvs::SetBool::Request& request,
                              std_srvs::SetBool::Response& response) {
-  if (enabled_.exchange(request.data) != static_cast<bool>(request.data)) worker_->begin_anew();
+  if (enabled_.exchange(request.data) != static_cast<bool>(request.data))
+    worker_->invalidate_detections();
   listen_as_wanted();
   response.success = true;
   response.message = request.data ? "searching" : "idle: disabled";
   return true;
 }
 
-void MatchingNodelet::look_for_changes() {
+void MatchingNodelet::refresh_library() {
   try {
     matcher_->refresh(false);
   } catch (const std::exception& error) {

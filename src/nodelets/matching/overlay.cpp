@@ -18,11 +18,11 @@ using mbncc_vision::DetectedObject;
 namespace {
 
 constexpr int kFont = cv::FONT_HERSHEY_SIMPLEX;
-const cv::Scalar kInk(255, 255, 255);
+const cv::Scalar kTextColour(255, 255, 255);
 
-Standing standing_of(std::uint8_t state) {
-  if (state == DetectedObject::CONFIRMED) return Standing::kGood;
-  return state == DetectedObject::AMBIGUOUS ? Standing::kDoubtful : Standing::kUnsure;
+Confidence confidence_of(std::uint8_t state) {
+  if (state == DetectedObject::CONFIRMED) return Confidence::kGood;
+  return state == DetectedObject::AMBIGUOUS ? Confidence::kDoubtful : Confidence::kUnsure;
 }
 
 Marking marking_of(const DetectedObject& object) {
@@ -33,7 +33,7 @@ Marking marking_of(const DetectedObject& object) {
   auto& outline = marking.outlines.emplace_back();
   for (const auto& point : object.outline.points) outline.emplace_back(point.x, point.y);
   marking.pose = {object.image_pose.x, object.image_pose.y, object.image_pose.theta};
-  marking.colour = colour_of(standing_of(object.state));
+  marking.colour = colour_of(confidence_of(object.state));
   marking.caption = object.name + number + score + word_of(object.state);
   if (object.state == DetectedObject::AMBIGUOUS) marking.caption += brief_reason(object.reasons);
   return marking;
@@ -85,13 +85,13 @@ cv::Mat with_legend(const cv::Mat& image, const mbncc_vision::DetectedObjectArra
   int x = letters.height / 2;
   for (const std::uint8_t state : kExplained) {
     const cv::Rect swatch(x, foot - letters.height, letters.height, letters.height);
-    cv::rectangle(shown, swatch, colour_of(standing_of(state)), cv::FILLED);
+    cv::rectangle(shown, swatch, colour_of(confidence_of(state)), cv::FILLED);
     x += 3 * letters.height / 2;
-    letters.write(shown, word_of(state), {x, foot}, kInk);
+    letters.write(shown, word_of(state), {x, foot}, kTextColour);
     x += letters.width_of(word_of(state)) + letters.height;
   }
   const int right = shown.cols - letters.width_of(age) - letters.height / 2;
-  letters.write(shown, age, {right, foot}, kInk);
+  letters.write(shown, age, {right, foot}, kTextColour);
   return shown;
 }
 
@@ -123,7 +123,7 @@ cv::Rect name_peak(cv::Mat& image, const Peak& peak, const char* text, int radiu
   Letters shade = letters;
   shade.stroke += 2;
   shade.write(image, text, at, cv::Scalar::all(0));
-  letters.write(image, text, at, kInk);
+  letters.write(image, text, at, kTextColour);
   return box;
 }
 
@@ -150,11 +150,11 @@ cv::Mat draw_score_map(const cv::Mat& scores, double radius) {
   cv::circle(elsewhere, best.place, cvRound(radius), cv::Scalar(0), cv::FILLED);
   const Peak second = peak_of(scores, elsewhere);
   const int mark = std::max(6, drawn.cols / 25), stroke = drawn.cols / 320 + 1;
-  cv::circle(drawn, best.place, mark, kInk, stroke, cv::LINE_AA);
+  cv::circle(drawn, best.place, mark, kTextColour, stroke, cv::LINE_AA);
   const cv::Rect label = name_peak(drawn, best, "object", mark);
   if (second.score <= 0) return drawn;
   const cv::Point half(mark, mark);
-  cv::rectangle(drawn, second.place - half, second.place + half, kInk, stroke);
+  cv::rectangle(drawn, second.place - half, second.place + half, kTextColour, stroke);
   name_peak(drawn, second, "next best", mark, label);
   return drawn;
 }

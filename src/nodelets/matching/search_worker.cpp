@@ -53,8 +53,8 @@ void SearchWorker::put(const sensor_msgs::ImageConstPtr& message) {
   });
 }
 
-void SearchWorker::begin_anew() {
-  ++era_;
+void SearchWorker::invalidate_detections() {
+  ++generation_;
   mailbox_.clear();
   silence_.restart();
   statistics_.change([](SearchStatistics& statistics) {
@@ -76,8 +76,8 @@ void SearchWorker::work() {
 }
 
 void SearchWorker::search(const sensor_msgs::Image& message) {
-  const unsigned era = era_;
-  if (std::exchange(pipeline_era_, era) != era) tools_.pipeline.interrupt();
+  const unsigned generation = generation_;
+  if (std::exchange(pipeline_generation_, generation) != generation) tools_.pipeline.interrupt();
   if (!admit(message.header)) return;
   const Decoded decoded = decode_image(message, tools_.settings.initial().images.white_level);
   if (!decoded) return refuse(decoded.fault);
@@ -92,7 +92,7 @@ void SearchWorker::search(const sensor_msgs::Image& message) {
       decoded.image, message.header,
       tools_.camera.camera_info_for(message.header.frame_id, decoded.image.size())};
   const Detections detections = tools_.pipeline.process(received, request_);
-  if (era == era_) publish(detections, decoded.image);
+  if (generation == generation_) publish(detections, decoded.image);
 }
 
 void SearchWorker::publish(const Detections& detections, const cv::Mat& image) {
@@ -116,7 +116,7 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
   const double now = ros::Time::now().toSec();
   const Verdict verdict = gate_.judge(header.stamp.toSec(), now);
   if (verdict == Verdict::kRestarted) {
-    start_over();
+    reset_after_clock_jump();
   } else if (verdict != Verdict::kFresh) {
     statistics_.change([&](SearchStatistics& statistics) {
       ++statistics.badly_stamped;
@@ -129,7 +129,7 @@ bool SearchWorker::admit(const std_msgs::Header& header) {
   return false;
 }
 
-void SearchWorker::start_over() {
+void SearchWorker::reset_after_clock_jump() {
   ROS_INFO("the clock has jumped back; the tracker is reset");
   tools_.pipeline.reset();
   tools_.publisher.reset();
@@ -137,24 +137,24 @@ void SearchWorker::start_over() {
 }
 
 void SearchWorker::refuse(const std::string& fault) {
-  const bool news = statistics_.change([&fault](SearchStatistics& statistics) {
+  const bool is_new = statistics_.change([&fault](SearchStatistics& statistics) {
     ++statistics.refused;
     return std::exchange(statistics.last_fault, fault) != fault;
   });
-  if (news) ROS_WARN("image refused: %s", fault.c_str());
+  if (is_new) ROS_WARN("image refused: %s", fault.c_str());
 }
 
 void SearchWorker::fail(const sensor_msgs::Image& message, const std::string& reason) {
   tools_.pipeline.reset();  // the video search may have processed only a part of the image
   const std::string sentence =
       "the search failed: " + reason + "; if this recurs, report it with the log";
-  const bool news = statistics_.change([&sentence](SearchStatistics& statistics) {
+  const bool is_new = statistics_.change([&sentence](SearchStatistics& statistics) {
     ++statistics.failed;
     statistics.unreliable = true;
     return std::exchange(statistics.message, sentence) != sentence;
   });
-  if (news) ROS_ERROR("%s", sentence.c_str());
-  if (pipeline_era_ != era_) return;
+  if (is_new) ROS_ERROR("%s", sentence.c_str());
+  if (pipeline_generation_ != generation_) return;
   tools_.publisher.publish_fault(DetectedObjectArray::SEARCH_FAILED, message.header, sentence);
   note_answer(message.header.stamp);
 }
@@ -164,10 +164,10 @@ void SearchWorker::note_answer(const ros::Time& stamp) {
   silence_.restart();
 }
 
-void SearchWorker::look_for_silence(bool expected) {
-  if (!expected) return begin_anew();
+void SearchWorker::check_stale(bool expected) {
+  if (!expected) return invalidate_detections();
   if (!silence_.due()) return;
-  const std::string reason = reason_of_silence();
+  const std::string reason = reason_of_staleness();
   std_msgs::Header header;
   header.stamp = ros::Time::now();
   tools_.publisher.publish_fault(DetectedObjectArray::STALE, header, reason);
@@ -176,10 +176,10 @@ void SearchWorker::look_for_silence(bool expected) {
     statistics.unreliable = true;
   });
   // Confirmed objects may have been moved in the meantime, unless a long search is the reason.
-  if (!searching_) ++era_;
+  if (!searching_) ++generation_;
 }
 
-std::string SearchWorker::reason_of_silence() const {
+std::string SearchWorker::reason_of_staleness() const {
   if (searching_)
     return "no image was searched within stale_after; search fewer objects, or raise stale_after";
   const std::string fault = statistics_.get().last_fault;

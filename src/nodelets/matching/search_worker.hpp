@@ -39,11 +39,11 @@ class SearchWorker {
   void put(const sensor_msgs::ImageConstPtr& message);
 
   /// Call this periodically. Publishes STALE if expected images do not arrive.
-  void look_for_silence(bool expected);
+  void check_stale(bool expected);
 
   /// Invalidates earlier detections and images whose results are not published yet. The time
   /// without images counts from now.
-  void begin_anew();
+  void invalidate_detections();
 
   SearchStatistics statistics() const { return statistics_.get(); }
 
@@ -52,20 +52,20 @@ class SearchWorker {
   void search(const sensor_msgs::Image& message);
   void publish(const Detections& detections, const cv::Mat& image);
   bool admit(const std_msgs::Header& header);
-  void start_over();
+  void reset_after_clock_jump();
   void refuse(const std::string& fault);
   void note_answer(const ros::Time& stamp);
   void fail(const sensor_msgs::Image& message, const std::string& reason);
-  std::string reason_of_silence() const;
+  std::string reason_of_staleness() const;
 
   const SearchTools tools_;
   SharedStatistics statistics_;
   StaleWatch silence_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
-  std::atomic<unsigned> era_{0};  // incremented when earlier detections become invalid
+  std::atomic<unsigned> generation_{0};  // incremented when earlier detections become invalid
   std::atomic<bool> searching_{false};
   // Used by the worker thread only.
-  unsigned pipeline_era_ = 0;
+  unsigned pipeline_generation_ = 0;
   SearchRequest request_;
   StampGate gate_;
   RateLimit rate_;  // counts images with a published message

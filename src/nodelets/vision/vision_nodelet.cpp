@@ -31,7 +31,7 @@ class VisionNodelet : public GuardedNodelet {
     detections_3d_ =
         handle.advertise<vision_msgs::Detection3DArray>("detections_3d", 10, changed, changed);
     info_ = handle.advertise<vision_msgs::VisionInfo>("vision_info", 1, true);
-    tell_names();
+    publish_names();
     report_ = std::make_unique<HealthReport>(node(), private_node(), getName(), "none", kVisionTask,
                                              [this](auto& status) { diagnose(status); });
   }
@@ -54,7 +54,7 @@ class VisionNodelet : public GuardedNodelet {
 
   void on_detections(const mbncc_vision::DetectedObjectArrayConstPtr& detections) {
     // Published first, so that subscribers can look up the name of every number that they receive.
-    if (ids_.add(*detections)) tell_names();
+    if (ids_.add(*detections)) publish_names();
     for (const auto& object : detections->objects)
       if (!ids_.has(object.name))
         NODELET_ERROR_THROTTLE(10, "'%s' has the same number as '%s' and is left out; rename one",
@@ -75,7 +75,7 @@ class VisionNodelet : public GuardedNodelet {
     status.add("objects named", ids_.names().size());
   }
 
-  void tell_names() {
+  void publish_names() {
     vision_msgs::VisionInfo info;
     info.header.stamp = ros::Time::now();
     info.method = "map-based normalized cross correlation";

@@ -57,28 +57,28 @@ class SourcePlayerTest : public testing::Test {
  protected:
   void SetUp() override { config_.source = "camera"; }
 
-  SourcePlayer::World world() {
-    SourcePlayer::World world;
-    world.open = [this]() -> std::unique_ptr<ImageSource> {
+  SourcePlayer::Callbacks callbacks() {
+    SourcePlayer::Callbacks callbacks;
+    callbacks.open = [this]() -> std::unique_ptr<ImageSource> {
       if (++story_.openings <= story_.refusals) throw FileError("camera", "no such device");
       return std::make_unique<ToldSource>(story_);
     };
-    world.has_listener = [this] { return listens_; };
-    world.time = [this] { return clock_runs_ ? time_ += ros::Duration(0.001) : time_; };
-    world.steady_time = [this] { return steady_; };
-    world.pause = [this](Seconds pause) {
+    callbacks.has_listener = [this] { return listens_; };
+    callbacks.time = [this] { return clock_runs_ ? time_ += ros::Duration(0.001) : time_; };
+    callbacks.steady_time = [this] { return steady_; };
+    callbacks.pause = [this](Seconds pause) {
       pauses_.push_back(pause.count());
       steady_ += std::chrono::duration_cast<SourcePlayer::Clock::duration>(pause);
     };
-    world.publish = [this](const cv::Mat& image, const ros::Time& stamp) {
+    callbacks.publish = [this](const cv::Mat& image, const ros::Time& stamp) {
       published_.push_back(image.at<uchar>(0, 0));
       stamps_.push_back(stamp);
     };
-    return world;
+    return callbacks;
   }
 
   SourcePlayer& player() {
-    if (!player_) player_ = std::make_unique<SourcePlayer>(config_, world());
+    if (!player_) player_ = std::make_unique<SourcePlayer>(config_, callbacks());
     return *player_;
   }
 

@@ -32,7 +32,7 @@ class ObjectFramesTest : public ::testing::Test {
     array.header.stamp.fromSec(stamp);
     array.header.frame_id = "camera";
     array.objects = objects;
-    for (auto& transform : frames_.of(array)) {
+    for (auto& transform : frames_.transforms_of(array)) {
       ++sent_;
       if (rounds_) transform.header.stamp.fromSec(transform.header.stamp.toSec());
       ASSERT_TRUE(buffer_.setTransform(transform, "test"));

@@ -97,7 +97,7 @@ class FailingSearch : public testing::Test {
           for (const auto& transform : message->transforms) placed_.insert(transform.header.stamp);
         });
     silence_timer_ = node_.createWallTimer(ros::WallDuration(0.1),
-                                           [this](const auto&) { worker_.look_for_silence(true); });
+                                           [this](const auto&) { worker_.check_stale(true); });
   }
 
   void SetUp() override {

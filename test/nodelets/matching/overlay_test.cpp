@@ -86,7 +86,7 @@ TEST(Overlay, TheAgeIsSeparateFromTheLegend) {
 
 TEST(Overlay, TheStateDeterminesTheColour) {
   const cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(120));
-  const auto blue = colour_of(Standing::kGood), orange = colour_of(Standing::kDoubtful);
+  const auto blue = colour_of(Confidence::kGood), orange = colour_of(Confidence::kDoubtful);
   const cv::Mat confirmed = draw_detections(image, one(DetectedObject::CONFIRMED)).rowRange(0, 240);
   const cv::Mat ambiguous = draw_detections(image, one(DetectedObject::AMBIGUOUS)).rowRange(0, 240);
   EXPECT_GT(count_of(confirmed, blue), 100);

@@ -18,7 +18,7 @@ bool has_left(const cv::Mat& changed, const StillShot& before, const StillShot& 
 
 }  // namespace
 
-Demonstration::Step Demonstration::look(const std::optional<StillShot>& still) {
+Demonstration::Step Demonstration::update(const std::optional<StillShot>& still) {
   if (before_.image.empty()) {
     if (!still) return Step::kWaitStill;
     before_ = *still;
@@ -47,24 +47,24 @@ void Demonstration::compare(const StillShot& still) {
   if (change_ == SceneChange::kInside) after_ = still;
   const bool given = before_.number == 0;
   if (given || change_ == SceneChange::kInside) return;
-  Anew why = Anew::kNot;
+  RestartReason why = RestartReason::kNone;
   if (change_ == SceneChange::kNone && difference.exposure > kOtherLight)
-    why = Anew::kLight;
+    why = RestartReason::kLight;
   else if (difference.fraction > kMostOfImage)
-    why = Anew::kEverything;
+    why = RestartReason::kEverything;
   else if (change_ == SceneChange::kAtBorder && has_left(difference.changed, before_, still))
-    why = Anew::kEdgeLeft;
-  if (why == Anew::kNot) return;
-  anew_ = why;
+    why = RestartReason::kEdgeLeft;
+  if (why == RestartReason::kNone) return;
+  restart_reason_ = why;
   before_ = still;
   change_ = SceneChange::kNone;
 }
 
-void Demonstration::go_on() {
+void Demonstration::continue_waiting() {
   const bool given = before_.number == 0;
   if (!given) before_ = after_;
   change_ = SceneChange::kNone;
-  anew_ = Anew::kPutDown;
+  restart_reason_ = RestartReason::kPutDown;
 }
 
 }  // namespace mbncc

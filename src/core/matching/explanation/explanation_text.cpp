@@ -129,9 +129,9 @@ Marking marking_of(const Explanation& explanation) {
   marking.pose = explanation.pose;
   const bool found = explanation.outcome == Outcome::kGraspable;
   const bool reported = explanation.outcome == Outcome::kReported;
-  marking.colour = colour_of(found      ? Standing::kGood
-                             : reported ? Standing::kDoubtful
-                                        : Standing::kBad);
+  marking.colour = colour_of(found      ? Confidence::kGood
+                             : reported ? Confidence::kDoubtful
+                                        : Confidence::kBad);
   marking.caption = explanation.name + " " + number(explanation.score, 2) +
                     (found      ? ""
                      : reported ? " not graspable"
@@ -171,7 +171,7 @@ cv::Mat draw_explanation(const cv::Mat& image, cv::Point2d place,
     cv::drawMarker(drawn, place, colour, cv::MARKER_CROSS, 2 * arm, width, cv::LINE_AA);
   if (explanations.empty()) return drawn;
   for (const auto& competitor : explanations.front().competitors) {
-    cv::circle(drawn, competitor.position, arm, colour_of(Standing::kDoubtful), stroke + 1,
+    cv::circle(drawn, competitor.position, arm, colour_of(Confidence::kDoubtful), stroke + 1,
                cv::LINE_AA);
   }
   return drawn;
