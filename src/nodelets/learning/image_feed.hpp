@@ -3,10 +3,12 @@
 #pragma once
 
 #include <sensor_msgs/Image.h>
+#include <std_msgs/Header.h>
 
 #include <chrono>
 #include <cstdint>
 #include <mutex>
+#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 #include <thread>
@@ -15,6 +17,13 @@
 #include "nodelets/common/mailbox.hpp"
 
 namespace mbncc::nodelets {
+
+/// An image to learn from, CV_8UC3.
+struct LessonImage {
+  cv::Mat image;
+  std_msgs::Header header;
+  std::uint64_t number = 0;  ///< of the still period, from 1; 0: given with the goal
+};
 
 class ImageFeed {
  public:

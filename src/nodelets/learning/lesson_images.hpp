@@ -6,9 +6,7 @@
 #include <mbncc_vision/LearnObjectGoal.h>
 #include <sensor_msgs/Image.h>
 
-#include <cstdint>
 #include <functional>
-#include <opencv2/core.hpp>
 #include <optional>
 #include <string>
 
@@ -18,13 +16,6 @@
 #include "nodelets/learning/lesson_gauge.hpp"
 
 namespace mbncc::nodelets {
-
-/// An image to learn from, CV_8UC3.
-struct LessonImage {
-  cv::Mat image;
-  std_msgs::Header header;
-  std::uint64_t number = 0;  ///< of the still period, from 1; 0: given with the goal
-};
 
 class LessonImages {
  public:

@@ -9,7 +9,7 @@
 
 #include "mbncc/learning/learn_object.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
-#include "nodelets/learning/lesson_images.hpp"
+#include "nodelets/learning/image_feed.hpp"
 
 namespace mbncc::nodelets {
 
