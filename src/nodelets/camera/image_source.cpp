@@ -81,7 +81,7 @@ class FolderSource : public ImageSource {
   FolderSource(std::string folder, bool loop)
       : folder_(std::move(folder)), loop_(loop), paths_(images_in(folder_)) {
     if (paths_.empty())
-      throw FileError(folder_, "holds no image (png, jpg, jpeg, bmp, tif, tiff, pgm, ppm)");
+      throw FileError(folder_, "contains no image (png, jpg, jpeg, bmp, tif, tiff, pgm, ppm)");
   }
 
   bool grab() override {
@@ -127,15 +127,15 @@ class CaptureSource : public ImageSource {
                     std::vector<std::string>& refused) {
     if (!capture_.set(property, value))
       refused.push_back(name_ + ": the device does not accept parameter '" + key +
-                        "'; it goes on " + "with its own setting");
+                        "'; the device keeps its own setting");
   }
 
   bool grab() override {
     if (capture_.grab()) return true;
-    if (!is_video_) throw FileError(name_, "gives no more images");
+    if (!is_video_) throw FileError(name_, "delivers no more images");
     if (!loop_) return false;
     open();
-    if (!capture_.grab()) throw FileError(name_, "holds no readable image");
+    if (!capture_.grab()) throw FileError(name_, "contains no readable image");
     return true;
   }
 
@@ -145,7 +145,7 @@ class CaptureSource : public ImageSource {
     if (!capture_.retrieve(image) || image.empty())
       throw FileError(name_, "an image could not be decoded; skipped");
     if (image.type() != CV_8UC3 && image.type() != CV_8UC1)
-      throw FileError(name_, "gives images that are not of 8 bits with 1 or 3 channels");
+      throw FileError(name_, "delivers images that are not 8-bit with 1 or 3 channels");
     return image;
   }
 

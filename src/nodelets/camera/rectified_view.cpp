@@ -59,7 +59,7 @@ RectifiedView TopView::view(const sensor_msgs::CameraInfo& info, const std_msgs:
   const std::string camera = config_.camera_frame.empty() ? header.frame_id : config_.camera_frame;
   std::string fault = fault_of_calibration(info, config_.rectified, size);
   if (camera.empty())
-    fault = "images name no frame_id; let the camera set header.frame_id, or set camera_frame";
+    fault = "the images have no frame_id; let the camera set header.frame_id, or set camera_frame";
   if (!fault.empty()) return refused(fault);
   try {
     const Plane platform = plane_of(

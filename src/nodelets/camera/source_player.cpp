@@ -88,8 +88,8 @@ void SourcePlayer::play() {
 
 void SourcePlayer::end() {
   at_end_ = true;
-  health_.set_state(DiagnosticStatus::WARN, "at its end");
-  ROS_INFO("%s is at its end", name_.c_str());
+  health_.set_state(DiagnosticStatus::WARN, "finished");
+  ROS_INFO("%s has ended", name_.c_str());
 }
 
 /// Returns an empty image and logs a warning if the image cannot be read.

@@ -144,8 +144,8 @@ void MasterWatch::watch() {
       continue;
     }
     ROS_WARN(
-        "the ROS master was restarted; registering again. Parameters keep the values read at the "
-        "start");
+        "the ROS master was restarted; registering again; parameters keep the values read at "
+        "startup");
     register_topics();
     register_services(services_, service_uri_);
   }

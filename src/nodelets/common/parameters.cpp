@@ -27,7 +27,7 @@ const char* name_of(XmlRpcValue::Type type) {
     case XmlRpcValue::TypeStruct:
       return "namespace";
     default:
-      return "value of another kind";
+      return "unsupported type";
   }
 }
 
@@ -52,7 +52,7 @@ std::string wanted(const FieldRow& row) {
   if (row.type == "bool") return "true or false";
   const std::string kind = row.type == "int"      ? "an integer"
                            : row.type == "double" ? "a number"
-                                                  : "a text";
+                                                  : "a string";
   const std::string unit = row.info.unit.empty() ? "" : " [" + row.info.unit + "]";
   const std::string range = row.info.allowed.to_string();
   return range == "any" ? kind + unit : kind + " " + range + unit;

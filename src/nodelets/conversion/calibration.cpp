@@ -32,8 +32,8 @@ Calibration over_platform(const PixelToRay& ray, const PlatformConfig& config,
   const cv::Point2d middle((size.width - 1) / 2.0, (size.height - 1) / 2.0);
   if (calibration.platform->meet(middle, 0)) return calibration;
   return uncalibrated(
-      "platform: the image's middle shows no place of it 1 mm to 100 m before the camera; check "
-      "camera_info, platform_frame and the camera's frame");
+      "platform: the ray through the image centre does not meet the platform 1 mm to 100 m in "
+      "front of the camera; check camera_info, platform_frame and the camera's frame");
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
     return uncalibrated("set platform_frame or platform_distance to get poses in metres");
   if (camera_frame_of(config, header).empty())
     return uncalibrated(
-        "images name no frame_id; let the camera or the goal set header.frame_id, or set "
+        "the images have no frame_id; let the camera or the goal set header.frame_id, or set "
         "camera_frame");
   if (info == nullptr) return uncalibrated(kNoCameraInfo);
   try {

@@ -108,7 +108,7 @@ std::string fault_of_raw(const CameraInfo& info, cv::Size sensor) {
   const std::string fault = fault_of_camera(k_of(info), sensor);
   if (!fault.empty()) return "camera_info: in K " + fault + kRemedy;
   if (!is_close(rectification_of(info), cv::Matx33d::eye(), kIdentityTolerance))
-    return "camera_info: R turns the images, as of a stereo pair; give rectified images";
+    return "camera_info: R rotates the images, as for a stereo pair; use rectified images";
   return fault_of_distortion(info);
 }
 
@@ -119,8 +119,8 @@ std::string fault_of_rectified(const CameraInfo& info, cv::Size sensor) {
     return std::string("camera_info: R is not a rotation") + kRemedy;
   for (const int i : {3, 7, 11})
     if (!(std::abs(info.P[static_cast<std::size_t>(i)]) <= kNoBaseline))
-      return "camera_info: P is that of a stereo pair's second camera, whose frame is the first "
-             "one's; give images of the first camera, or raw ones";
+      return "camera_info: P belongs to the second camera of a stereo pair; use images of the "
+             "first camera, or raw images";
   return "";
 }
 
@@ -140,8 +140,8 @@ std::string fault_of_calibration(const CameraInfo& info, bool rectified, cv::Siz
   if (!window)
     return "camera_info: width, height, roi and binning contradict each other; check the driver";
   if (window->image != size)
-    return "camera_info is that of images of " + text(window->image) + ", these are " + text(size) +
-           "; calibrate the camera at this size";
+    return "camera_info is for images of " + text(window->image) + ", but the image is " +
+           text(size) + "; calibrate the camera at this size";
   const cv::Size sensor(static_cast<int>(info.width), static_cast<int>(info.height));
   return rectified ? fault_of_rectified(info, sensor) : fault_of_raw(info, sensor);
 }

@@ -78,25 +78,25 @@ std::string layout_fault(const sensor_msgs::Image& message, const Encoding& enco
   const std::string size = std::to_string(message.width) + " x " + std::to_string(message.height);
   if (message.width < 2 || message.height < 2 || message.width > kLargestSide ||
       message.height > kLargestSide)
-    return "an image of " + size + " pixels is not usable; send 2 .. 16384 a side";
+    return "an image of " + size + " pixels is not supported; send 2 .. 16384 px per side";
   if (std::uint64_t{message.width} * message.height > kMostPixels)
-    return "an image of " + size + " pixels is not usable; send 64 million at most";
+    return "an image of " + size + " pixels is not supported; send 64 million at most";
   if (message.header.frame_id.size() > kLongestFrame)
     return "a frame_id of " + std::to_string(message.header.frame_id.size()) +
-           " bytes is not usable; send 255 at most";
+           " bytes is not supported; send 255 at most";
   if (!is_printable(message.header.frame_id))
     return "frame_id '" + printable(message.header.frame_id) +
            "' contains characters that are not printable; correct the driver";
   if (is_yuv(encoding) && message.width % 2 != 0)
     return "a " + message.encoding + " image of odd width " + std::to_string(message.width) +
-           " is not usable; send an even width";
+           " is not supported; send an even width";
   const std::uint64_t row = std::uint64_t{message.width} * CV_ELEM_SIZE(encoding.type);
   if (message.step < row)
     return "step " + std::to_string(message.step) + " is less than a row of " +
            std::to_string(row) + " bytes; correct the driver";
   if (CV_MAT_DEPTH(encoding.type) == CV_16U && message.step % 2 != 0)
     return "step " + std::to_string(message.step) +
-           " is odd, pixels of 16 bits need an even one; correct the driver";
+           " is odd, but 16-bit pixels need an even step; correct the driver";
   if (message.data.size() != std::uint64_t{message.step} * message.height)
     return "data of " + std::to_string(message.data.size()) + " bytes is not step " +
            std::to_string(message.step) + " x height " + std::to_string(message.height) +
@@ -147,7 +147,7 @@ Decoded decode_image(const sensor_msgs::Image& message, int white_level) {
   Decoded decoded;
   decoded.fault = layout_fault(message, *encoding);
   if (message.encoding == kUnscaled && white_level == 0)
-    decoded.fault = "encoding '16UC1' does not say how bright its numbers are; set white_level";
+    decoded.fault = "encoding '16UC1' does not define its white level; set white_level";
   if (decoded.fault.empty()) decoded.image = to_bgr(message, *encoding, white_level);
   return decoded;
 }

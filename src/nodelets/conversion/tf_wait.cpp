@@ -36,7 +36,7 @@ std::string tf_fault(const tf2::TransformException& error) {
   std::string words = error.what();
   words.erase(words.find_last_not_of(" .") + 1);  // without tf's own full stop
   if (words.find("into the future") != std::string::npos)
-    return words + "; a robot's tf that lags behind is waited for with tf_wait";
+    return words + "; if the robot's tf lags behind, set tf_wait";
   const bool unconnected = dynamic_cast<const tf2::LookupException*>(&error) != nullptr ||
                            dynamic_cast<const tf2::ConnectivityException*>(&error) != nullptr;
   return words + (unconnected

@@ -20,7 +20,8 @@ void GraspMark::record(const std::string& base_frame, const ros::Time& now) {
   if (gripper_frame_.empty())
     throw std::runtime_error("no grasp can be marked: set the parameter gripper_frame");
   if (base_frame.empty())
-    throw std::runtime_error("no grasp can be marked: images name no frame_id, set camera_frame");
+    throw std::runtime_error(
+        "no grasp can be marked: the images have no frame_id, set camera_frame");
   try {
     const auto pose = tf_.lookupTransform(base_frame, gripper_frame_, ros::Time(0));
     const ros::Time& stamp = pose.header.stamp;

@@ -33,7 +33,7 @@ void ImageFeed::work() {
       watch(**message);
     } catch (const std::exception& error) {
       ROS_ERROR_THROTTLE(10, "watching the cell failed: %s", error.what());
-      refuse(std::string("watching it failed: ") + error.what());
+      refuse(std::string("processing the image failed: ") + error.what());
     }
   }
 }

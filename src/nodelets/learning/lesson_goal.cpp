@@ -79,7 +79,7 @@ Fault check_numbers(const Goal& goal) {
     return outcome(LearnError::kRegionInvalid, "A corner of the outline is not finite.");
   if (goal.timeout.toSec() < 0 || goal.timeout.toSec() > kLongestLesson)
     return outcome(LearnError::kTimeout, "The timeout is not in 0 .. 86400 s.",
-                   "Give a timeout of a day at most, or 0 for the configured one.");
+                   "Set a timeout of at most 86400 s, or 0 for the configured one.");
   return {};
 }
 

@@ -24,8 +24,8 @@ const char* const kCameraMoved =
     "The camera has moved; the lesson continues with the current image. Fasten the camera, make "
     "sure that the object is in view, then take it away.";
 const char* const kCameraMovedSinceGiven =
-    "The camera has moved since the image before was taken: put it back, or teach with a new "
-    "one.";
+    "The camera has moved since the given image before was taken. Put the camera back, or teach "
+    "with a new image.";
 
 const char* removal_sentence(Demonstration::RestartReason why) {
   using RestartReason = Demonstration::RestartReason;
@@ -185,10 +185,11 @@ void LessonImages::report_step(Step step) {
   switch (step) {
     case Step::kWaitStill:
       return feedback_.ask(Feedback::WAIT_IMAGE, 0.02,
-                           "Something moves in the image: move arm and hands out and keep still.");
+                           "Something is moving in the image. Move arms and hands out of view "
+                           "and keep still.");
     case Step::kMoving:
       return feedback_.ask(Feedback::WAIT_STILL, 0.2,
-                           "Something moves: leave the image and keep still.");
+                           "Something is moving. Move out of view and keep still.");
     case Step::kAtBorder:
       return feedback_.ask(Feedback::WAIT_STILL, 0.2,
                            camera_moved_

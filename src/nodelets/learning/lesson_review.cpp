@@ -43,7 +43,7 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
   edit.exclude = lines_of(request.exclude);
   edit.stroke_width = request.stroke_width;
   const auto region = from_msg(request.roi, size);
-  if (!region) throw std::invalid_argument("the new roi does not lie in the image; draw it inside");
+  if (!region) throw std::invalid_argument("the new roi is not inside the image; draw it inside");
   edit.region = *region;
   if (request.set_reference) {
     edit.reference = from_msg(request.reference);

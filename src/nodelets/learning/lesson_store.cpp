@@ -20,7 +20,7 @@ std::string put_aside_sentence(const LearnResult& learned) {
   char text[160];
   std::snprintf(text, sizeof text,
                 " Found again where it was put aside: x %.1f, y %.1f, rotated by %.1f degrees; "
-                "both views agree by %.2f%s.",
+                "the views agree to %.2f%s.",
                 seen->pose.x, seen->pose.y, to_degrees(wrap_angle(turn)), seen->agreement,
                 seen->refined ? " and both contribute to the map" : "");
   return text;

@@ -59,9 +59,10 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
     array.message = "time_budget exceeded; some objects were not searched";
   } else {
     array.status = DetectedObjectArray::OK;
-    array.message = !result.limited.empty() ? "max_instances reached by " + result.limited.front() +
-                                                  "; there may be more of it, raise max_instances"
-                                            : advice_on_distortion(calibration);
+    array.message = !result.limited.empty()
+                        ? "max_instances reached by " + result.limited.front() +
+                              "; there may be more instances, raise max_instances"
+                        : advice_on_distortion(calibration);
   }
 }
 

@@ -24,7 +24,8 @@ void add_disabled(SavedMiss& miss) {
   for (const auto& object : miss.objects)
     if (!object->enabled) names += (names.empty() ? "'" : ", '") + object->name + "'";
   if (!names.empty())
-    miss.lines.push_back("Not searched, because disabled: " + names + ". Enable what lies here.");
+    miss.lines.push_back("Not searched, because disabled: " + names +
+                         ". Enable the one that lies here.");
 }
 
 }  // namespace
@@ -53,7 +54,7 @@ sensor_msgs::Image ExplainService::live_image() const {
   const auto image = tools_.images.next(ros::Time(), kPatience);
   tools_.images.leave();
   tools_.wants_changed();
-  if (!image) throw std::runtime_error("no image came from the camera; check it, or send one");
+  if (!image) throw std::runtime_error("no image arrived from the camera; check it, or send one");
   return *image;
 }
 
@@ -80,7 +81,8 @@ void ExplainService::explain(const Request& request, Response& response) const {
     miss.lines.push_back("The place lies outside search_roi, so nothing is searched here.");
   const auto explanations = mbncc::explain(miss);
   if (explanations.empty())
-    miss.lines.push_back("The library has no enabled object of this camera: teach or enable one.");
+    miss.lines.push_back(
+        "The library has no enabled object learned at this image size: teach or enable one.");
   for (const auto& line : lines_of(explanations, kExplained)) miss.lines.push_back(line);
   if (!explanations.empty()) add_disabled(miss);
   for (const auto& line : miss.lines)

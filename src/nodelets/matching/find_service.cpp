@@ -45,13 +45,13 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
     if (!is_valid_name(name))
       refuse("invalid object name; give a letter, then letters, digits or underscores");
   const auto roi = from_msg(request.roi, size);
-  if (!roi) refuse("roi does not lie in the image; give a region inside it, or none");
+  if (!roi) refuse("roi is not inside the image; give a region inside it, or none");
   search.roi = roi->empty() ? roi_in(parse_roi(config.search_roi), size) : *roi;
   if (request.min_score > 1)
-    refuse("min_score lies above 1; give 0 .. 1, or 0 for the configured one");
+    refuse("min_score is above 1; give 0 .. 1, or 0 for the configured one");
   if (request.min_score > 0) search.min_score = request.min_score;
   if (request.max_instances > 1000)
-    refuse("max_instances lies above 1000; give fewer, or 0 for the configured number");
+    refuse("max_instances is above 1000; give fewer, or 0 for the configured number");
   search.max_instances = static_cast<int>(request.max_instances);
   return search;
 }
@@ -162,7 +162,7 @@ Detections FindService::find(const Request& request) {
   // A thread was free, so the call has just arrived.
   const auto deadline = Clock::now() + std::chrono::duration_cast<Clock::duration>(
                                            std::chrono::duration<double>(timeout_of(request)));
-  if (request.frames > kMostFrames) refuse("frames lies above 100; ask for fewer");
+  if (request.frames > kMostFrames) refuse("frames is above 100; ask for fewer");
   MatchingNodeConfig config = tools_.settings.get();
   config.video.sweep_time = 0;  // a single request, so the image is searched completely
   config.average_frames = static_cast<int>(std::max(1u, request.frames));
@@ -212,7 +212,7 @@ ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
                                       Clock::time_point deadline) const {
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const auto message = tools_.images.next(after, left);
-  if (!message) refuse("no image came in time; check the camera and the image topic");
+  if (!message) refuse("no image arrived in time; check the camera and the image topic");
   const Decoded decoded = decode_image(*message, white_level);
   if (!decoded) refuse(decoded.fault);
   return {decoded.image, message->header,

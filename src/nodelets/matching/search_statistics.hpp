@@ -44,9 +44,9 @@ inline void add_to(diagnostic_updater::DiagnosticStatusWrapper& status,
                    const SearchStatistics& statistics) {
   status.add("images arrived", statistics.arrived);
   status.add("images searched", statistics.searched);
-  status.add("images overtaken by newer ones", statistics.overtaken);
+  status.add("images dropped for newer ones", statistics.overtaken);
   status.add("images refused", statistics.refused);
-  status.add("images badly stamped", statistics.badly_stamped);
+  status.add("images with bad stamps", statistics.badly_stamped);
   status.add("searches failed", statistics.failed);
   status.add("last fault", statistics.last_fault);
   status.add("search time [s]", statistics.search_time);

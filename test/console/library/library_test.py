@@ -85,7 +85,7 @@ class LibraryTest(unittest.TestCase):
         self.mouse.click_until("Disable", lambda: not self.teacher.names()["angle"], "it is disabled")
         self.mouse.click(r"Why not found here\?")
         self.mouse.drag([(200, 150)], (CAMERA["width"], CAMERA["height"]))
-        self.report.wait_until_says("Not searched, because disabled: 'angle'. Enable what lies here.")
+        self.report.wait_until_says("Not searched, because disabled: 'angle'. Enable the one that lies here.")
         self.mouse.click("Back to live")
         self.mouse.click_until("Enable", lambda: self.teacher.names()["angle"], "it is enabled")
 

@@ -94,7 +94,7 @@ TEST_F(FolderOfImages, UnreadableImageIsNamedAndTheNextOnePlays) {
 
 TEST_F(FolderOfImages, WithoutImagesIsRefused) {
   std::ofstream(folder_ / "notes.txt") << "text";
-  EXPECT_NE(refusal(folder_.path()).find("holds no image"), std::string::npos);
+  EXPECT_NE(refusal(folder_.path()).find("contains no image"), std::string::npos);
 }
 
 TEST_F(FolderOfImages, AFileThatIsNoVideoIsRefused) {

@@ -208,7 +208,7 @@ TEST_F(SourcePlayerTest, TheEndIsReportedAndLasts) {
   story_.images = 2;
   play(5);
   EXPECT_EQ(published_.size(), 2u);
-  EXPECT_EQ(state(), "at its end");
+  EXPECT_EQ(state(), "finished");
   EXPECT_EQ(story_.openings, 1);
 }
 

@@ -254,7 +254,7 @@ TEST(Calibration, ImplausibleIntrinsicsAreNamed) {
       {true, [](auto& i) { i.P[7] = kNan; }, "stereo"},
       {true, [](auto& i) { i.R = {1, 0, 0, 0, 1, 0, 0, 0, 2}; }, "R is not a rotation"},
       {true, [](auto& i) { i.R[5] = kNan; }, "R is not a rotation"},
-      {false, [](auto& i) { i.R = {0, -1, 0, 1, 0, 0, 0, 0, 1}; }, "R turns"},
+      {false, [](auto& i) { i.R = {0, -1, 0, 1, 0, 0, 0, 0, 1}; }, "R rotates"},
       {false, [](auto& i) { i.D.resize(1); }, "D holds 1 numbers, but plumb_bob has 5"},
       {false, [](auto& i) { i.D.resize(3); }, "D holds 3 numbers"},
       {false, [](auto& i) { i.D.resize(6); }, "D holds 6 numbers"},
@@ -295,7 +295,8 @@ TEST(Calibration, APlatformNotInFrontOfTheCameraIsRefused) {
     tf.setTransform(transform, "test", true);
     const auto calibration = calibrate(config, &info, header(), kSize, tf);
     EXPECT_FALSE(calibration.platform) << z;
-    EXPECT_EQ(calibration.fault.rfind("platform: the image's middle", 0), 0u) << calibration.fault;
+    EXPECT_EQ(calibration.fault.rfind("platform: the ray through the image centre", 0), 0u)
+        << calibration.fault;
   }
   transform.transform.translation.z = 0.8;
   tf.setTransform(transform, "test", true);
