@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Publishes a nodelet's diagnostics once a second, by the steady clock because a simulated clock
+// Publishes a nodelet's diagnostics once a second, by wall time because a simulated clock
 // may stop.
 #pragma once
 
