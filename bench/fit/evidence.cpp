@@ -62,7 +62,7 @@ class Rows {
     const prepared::PreparedObject object(object_of(one), prepared::Engine::kFast);
     for (const auto& target : one.targets) {
       const scene::SceneImage scene(read_image(target.image), object.top_level());
-      auto detections = search::search_object(object, scene, {}, search::SearchMode::kTwice);
+      auto detections = search::search_object(object, scene, {}, search::SearchMode::kThorough);
       decision::apply_clutter_penalty(detections);
       for (const auto& detection : best_of_places(detections))
         add(set, one, target, scene, object.views[detection.view_number], detection);

@@ -27,7 +27,7 @@ class DecisionTest : public ::testing::Test {
     detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
-    detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = 20;
     detection.contour_alternative = -0.15;
     detection.interior_difference = 0;
@@ -85,7 +85,7 @@ TEST_F(DecisionTest, AnUncertainPoseIsNotGrasped) {
   const auto with = [&](double x, double y, double theta) {
     return match_of(changed([&](decision::Detection& d) {
       d.pose = {0, 0, 0};
-      d.covariance = d.cautious = cv::Matx33d::diag({x * x, y * y, theta * theta});
+      d.covariance = d.grasp_covariance = cv::Matx33d::diag({x * x, y * y, theta * theta});
     }));
   };
   // The reference point of this object differs from the anchor, so that rotations displace it.
@@ -282,7 +282,7 @@ TEST_F(DecisionTest, TheReferencePointMovesWithTheAnchorsAngleAndSize) {
   decision::Detection detection = sound();
   detection.object = off.model.get();
   detection.view = &off.views.front();
-  detection.covariance = detection.cautious = cv::Matx33d::diag({0, 0, 1e-4});
+  detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0, 0, 1e-4});
   const Match match = match_of(detection);
   const cv::Point2d lever = match.pose.position() - detection.pose.position();
   ASSERT_GT(cv::norm(lever), 20);

@@ -50,9 +50,10 @@ int top_level(const ObjectList& objects) {
 
 search::SearchMode mode_for(std::size_t objects, const SearchRequest& request,
                             const SearchConfig& config) {
-  if (objects > kFewObjects && config.engine != "polar") return search::SearchMode::kGated;
-  return std::max(objects, request.among) > kFewObjects ? search::SearchMode::kSparing
-                                                        : search::SearchMode::kTwice;
+  if (objects > kFewObjects && config.engine != "polar")
+    return search::SearchMode::kColourPrefiltered;
+  return std::max(objects, request.among) > kFewObjects ? search::SearchMode::kReduced
+                                                        : search::SearchMode::kThorough;
 }
 
 /// Search results per object.
@@ -197,7 +198,7 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
   };
   const auto shown = prepared::comparisons(wanted, image, scenes);
   search_all(shown);
-  if (mode != search::SearchMode::kGated) return findings;
+  if (mode != search::SearchMode::kColourPrefiltered) return findings;
   if (const auto cast = search::colour_cast(shown, findings.found))
     search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), scenes));
   return findings;
@@ -269,7 +270,7 @@ void Matcher::set_limits(double min_score, int max_instances) {
 cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) const {
   SearchResult ignored;
   const ObjectList objects = implementation_->wanted(request, ignored);
-  const auto scene = implementation_->scenes.show(image, top_level(objects));
+  const auto scene = implementation_->scenes.prepare(image, top_level(objects));
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {

@@ -22,7 +22,7 @@ class SelectionTest : public ::testing::Test {
     detection.object = object_.model.get();
     detection.view = &object_.views.front();
     detection.pose = {100, 100, 0};
-    detection.covariance = detection.cautious = cv::Matx33d::diag({0.01, 0.01, 1e-6});
+    detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = log_odds;
     detection.contour_alternative = elsewhere;
     detection.interior_difference = 0;

@@ -67,7 +67,7 @@ class ColourPartsTest : public ::testing::Test {
     view.fine.surface.sample(level.whole(), at, sample);
     templates::read_contour(view.fine.contour, level.whole().edges, at, 1, contour);
     return view.parts.worst_differences(view.fine.surface, sample, contour,
-                                        ground_beside(view.fine.contour, level, at));
+                                        background_colour(view.fine.contour, level, at));
   }
 };
 

@@ -33,7 +33,7 @@ class LocalCastTest : public test::MatcherTest {
 TEST_F(LocalCastTest, CorrectedColoursStayInRange) {
   templates::SurfaceSample sample =
       test::sample_of(view_.fine.surface, [](float, float, float) { return 250.f; });
-  take_out(ColourCast{-0.3, -0.3}, sample);
+  remove_cast(ColourCast{-0.3, -0.3}, sample);
   for (const auto& plane : sample.planes)
     EXPECT_LE(*std::max_element(plane.begin(), plane.end()), 255);
 }

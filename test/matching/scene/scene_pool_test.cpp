@@ -53,7 +53,7 @@ TEST(ScenePool, ReusedScenesEqualFreshOnes) {
        {cv::Size(97, 64), cv::Size(97, 64), cv::Size(64, 97), cv::Size(40, 30)})
     for (const int type : {CV_8UC3, CV_8UC1, CV_8UC3}) {
       const cv::Mat image = random_image(size, type, seed++);
-      expect_as_if_fresh(*pool.show(image, kTop), image);
+      expect_as_if_fresh(*pool.prepare(image, kTop), image);
     }
 }
 
@@ -71,8 +71,8 @@ TEST(ScenePool, ALargerMarginKeepsTheNarrowerOneValid) {
 TEST(ScenePool, DoesNotChangeTheCallersImages) {
   ScenePool pool;
   const cv::Mat grey = random_image({50, 40}, CV_8UC1, 1), kept = grey.clone();
-  pool.show(grey, kTop);
-  pool.show(random_image({50, 40}, CV_8UC3, 2), kTop);
+  pool.prepare(grey, kTop);
+  pool.prepare(random_image({50, 40}, CV_8UC3, 2), kTop);
   EXPECT_TRUE(equal(grey, kept));
 }
 
@@ -80,16 +80,16 @@ TEST(ScenePool, SimultaneousImagesAreIndependent) {
   ScenePool pool;
   const cv::Mat first = random_image({50, 40}, CV_8UC3, 1);
   const cv::Mat second = random_image({50, 40}, CV_8UC3, 2);
-  const auto one = pool.show(first, kTop), other = pool.show(second, kTop);
+  const auto one = pool.prepare(first, kTop), other = pool.prepare(second, kTop);
   expect_as_if_fresh(*one, first);
   expect_as_if_fresh(*other, second);
 }
 
 TEST(ScenePool, RecoversFromUnusableImages) {
   ScenePool pool;
-  EXPECT_THROW(pool.show(cv::Mat(40, 40, CV_16UC1), kTop), std::invalid_argument);
+  EXPECT_THROW(pool.prepare(cv::Mat(40, 40, CV_16UC1), kTop), std::invalid_argument);
   const cv::Mat image = random_image({50, 40}, CV_8UC3, 1);
-  expect_as_if_fresh(*pool.show(image, kTop), image);
+  expect_as_if_fresh(*pool.prepare(image, kTop), image);
 }
 
 }  // namespace

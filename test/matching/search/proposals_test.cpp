@@ -35,7 +35,7 @@ class ProposalsTest : public ::testing::Test {
     const Proposals proposals(view, scene, {{0, 0}, image.size()}, everywhere);
     const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
     double best = 0;
-    for (const auto& one : proposals.by_visible_part(200)) {
+    for (const auto& one : proposals.by_partial_contour(200)) {
       const double side = 1 << one.level;
       if (cv::norm(side * one.pose.position() - anchor.position()) < 2 * side &&
           angle_distance(one.pose.theta, anchor.theta) * view.shape.radius() < 2 * side)

@@ -72,7 +72,7 @@ class ViewSearchTest : public ::testing::Test {
 };
 
 TEST_F(ViewSearchTest, TheSecondPassFindsMoreObjects) {
-  const int at_once = found_by(SearchMode::kQuick), in_the_end = found_by(SearchMode::kTwice);
+  const int at_once = found_by(SearchMode::kQuick), in_the_end = found_by(SearchMode::kThorough);
   EXPECT_LT(at_once, 9);
   EXPECT_GT(in_the_end, at_once);
 }
@@ -102,7 +102,7 @@ TEST_F(WhiskeredPlateTest, ProposesTheHalfTurnThatCoversThePlate) {
   const cv::Point anchor = compose(truth, inverse(view.reference_in_anchor)).position();
   const auto found =
       search_view(object_, view, scene::SceneImage(image, object_.top_level()),
-                  {anchor - cv::Point(10, 10), cv::Size(21, 21)}, SearchMode::kTwice);
+                  {anchor - cv::Point(10, 10), cv::Size(21, 21)}, SearchMode::kThorough);
   const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;  // of the plate
   const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
   ASSERT_FALSE(found.empty());

@@ -37,14 +37,15 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections) {
 
 std::map<std::string, double> apply_clutter_penalty(std::vector<Detection>& detections,
                                                     const std::map<std::string, double>& least,
-                                                    double rarity) {
+                                                    double additional_penalty) {
   std::map<std::string, std::vector<const Detection*>> of_object;
   for (const auto& detection : detections) of_object[detection.object->name].push_back(&detection);
-  std::map<std::string, double> discounts = least;
+  std::map<std::string, double> penalties = least;
   for (const auto& [name, own] : of_object)
-    discounts[name] = std::max(discounts[name], rarity + clutter_penalty(odds_of_places(own)));
-  for (auto& detection : detections) detection.odds.clutter = discounts[detection.object->name];
-  return discounts;
+    penalties[name] =
+        std::max(penalties[name], additional_penalty + clutter_penalty(odds_of_places(own)));
+  for (auto& detection : detections) detection.odds.clutter = penalties[detection.object->name];
+  return penalties;
 }
 
 double multiple_testing_penalty(std::size_t count) {

@@ -54,7 +54,7 @@ const Competitor* best_of(const std::vector<Competitor>& competitors) {
 }  // namespace
 
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                const cv::Matx33d& cautious, const SearchConfig& config) {
+                                const cv::Matx33d& grasp_covariance, const SearchConfig& config) {
   // Negated comparisons, so that NaN counts as a reason.
   std::vector<Doubt> doubts;
   if (!(match.margin_angle >= config.min_margin_angle))
@@ -76,7 +76,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
       doubts.push_back({true, "edges inside the outline differ"});
   }
   if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});
-  doubt_deviations(match, cautious, config, doubts);
+  doubt_deviations(match, grasp_covariance, config, doubts);
   if (!(match.visible >= config.min_visible))
     doubts.push_back({false, number(100 * (1 - match.visible), 0) + " % outside"});
   return doubts;

@@ -11,9 +11,9 @@
 namespace mbncc::decision {
 
 /// Reasons against grasping `match`, which was made from `detection`, apart from its competitors.
-/// `cautious`: covariance of the pose used for the grasp conditions.
+/// `grasp_covariance`: covariance of the pose used for the grasp conditions.
 std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
-                                const cv::Matx33d& cautious, const SearchConfig& config);
+                                const cv::Matx33d& grasp_covariance, const SearchConfig& config);
 
 /// Sets margin_place, graspable, ambiguous and reasons from score, competitors and doubts.
 void conclude(Match& match, const SearchConfig& config);

@@ -26,7 +26,7 @@ struct Detection {
   Pose2D pose;                                 ///< of the view's anchor [px],[rad]
   double scale = 1;                            ///< of the object, relative to the view
   cv::Matx33d covariance;                      ///< of pose
-  cv::Matx33d cautious;                        ///< covariance for the grasp conditions, see Refined
+  cv::Matx33d grasp_covariance;                ///< covariance for the grasp conditions, see Refined
   LogOdds odds;                                ///< that the object lies at the pose
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]

@@ -106,7 +106,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.symmetry = view.symmetry;
   match.outline = outline_at(detection);
   match.doubts =
-      doubts_about(match, detection, moved_to_reference(detection.cautious, lever), config);
+      doubts_about(match, detection, moved_to_reference(detection.grasp_covariance, lever), config);
   conclude(match, config);
   return match;
 }

@@ -49,7 +49,7 @@ std::vector<int> parts_of(const templates::SurfaceTemplate& surface) {
 }
 
 /// Chroma differences and weights of the visible points of a part.
-struct PartSeen {
+struct VisiblePart {
   std::vector<numeric::Weighted> red, blue;
   double points = 0, weight = 0;
 
@@ -62,11 +62,12 @@ struct PartSeen {
 };
 
 /// Chroma differences `off` of the points, by part.
-std::vector<PartSeen> by_part(const std::vector<int>& part_of, const std::vector<cv::Point2f>& off,
-                              const std::vector<float>& weights) {
-  std::vector<PartSeen> parts(1 + *std::max_element(part_of.begin(), part_of.end()));
+std::vector<VisiblePart> by_part(const std::vector<int>& part_of,
+                                 const std::vector<cv::Point2f>& off,
+                                 const std::vector<float>& weights) {
+  std::vector<VisiblePart> parts(1 + *std::max_element(part_of.begin(), part_of.end()));
   for (std::size_t i = 0; i < part_of.size(); ++i) {
-    PartSeen& part = parts[part_of[i]];
+    VisiblePart& part = parts[part_of[i]];
     ++part.points;
     if (weights[i] == 0) continue;
     part.weight += weights[i];
@@ -94,8 +95,8 @@ cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
 
 }  // namespace
 
-cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                        const Pose2D& pose, double scale) {
+cv::Vec3f background_colour(const templates::ContourTemplate& contour,
+                            const scene::SceneLevel& scene, const Pose2D& pose, double scale) {
   constexpr float kBeside = 4;  // [px]
   const scene::PreparedPixels pixels = scene.around(pose, scale * contour.radius());
   Planes colours;
@@ -125,14 +126,15 @@ ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const std::vector<int> beside = templates::points_beside(contour, {surface.x[i], surface.y[i]});
     const std::size_t count = std::min(kMost, beside.size());
-    for (std::size_t k = 0; k < count; ++k) witnesses_.push_back(beside[k * beside.size() / count]);
-    witnesses_end_.push_back(static_cast<int>(witnesses_.size()));
+    for (std::size_t k = 0; k < count; ++k)
+      nearby_contour_points_.push_back(beside[k * beside.size() / count]);
+    witnesses_end_.push_back(static_cast<int>(nearby_contour_points_.size()));
   }
 }
 
 /// Weights [0..1] of the points, from the fraction of nearby contour points that are found.
-std::vector<float> ColourParts::witnessed(const templates::SurfaceSample& sample,
-                                          const templates::ContourSample& contour) const {
+std::vector<float> ColourParts::weights_from_contour(
+    const templates::SurfaceSample& sample, const templates::ContourSample& contour) const {
   constexpr float kNone = 0.45f, kFull = 0.8f;
   std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
   for (std::size_t i = 0; i < clear.size(); ++i)
@@ -141,7 +143,7 @@ std::vector<float> ColourParts::witnessed(const templates::SurfaceSample& sample
   for (std::size_t i = 0; i < colour_.size(); ++i) {
     float found = 0, seen = 0;
     for (; k < witnesses_end_[i]; ++k) {
-      const int at = witnesses_[k];
+      const int at = nearby_contour_points_[k];
       seen += contour.seen[at];
       found += clear[at];
     }
@@ -158,7 +160,7 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
   constexpr float kDark = 30;       // [grey levels] in the lesson
   constexpr float kUnseen = 0.02f;  // weight, when fitting the light, without found contour points
   if (empty() || !sample.suffices()) return {};
-  const std::vector<float> weights = witnessed(sample, contour);
+  const std::vector<float> weights = weights_from_contour(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
   const GainOffset light = fit_gain_offset(surface.planes, sample.planes, lit);

@@ -13,8 +13,8 @@
 namespace mbncc::evidence {
 
 /// Median colour (b, g, r) slightly outside the contour, `scale` times as large, at `pose`.
-cv::Vec3f ground_beside(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                        const Pose2D& pose, double scale = 1);
+cv::Vec3f background_colour(const templates::ContourTemplate& contour,
+                            const scene::SceneLevel& scene, const Pose2D& pose, double scale = 1);
 
 /// [0..2] Chroma difference (ln R/G, ln B/G) between image and lesson, in the light of the image,
 /// of the part that differs most.
@@ -27,7 +27,7 @@ class ColourParts {
  public:
   ColourParts() = default;
 
-  /// `ground`: ground_beside() in the lesson.
+  /// `ground`: background_colour() in the lesson.
   ColourParts(const templates::SurfaceTemplate& surface, const templates::ContourTemplate& contour,
               const cv::Vec3f& ground);
 
@@ -42,14 +42,15 @@ class ColourParts {
                                      const cv::Vec3f& ground) const;
 
  private:
-  std::vector<float> witnessed(const templates::SurfaceSample& sample,
-                               const templates::ContourSample& contour) const;
+  std::vector<float> weights_from_contour(const templates::SurfaceSample& sample,
+                                          const templates::ContourSample& contour) const;
 
-  cv::Vec3f ground_;                ///< ground_beside() in the lesson
-  std::vector<int> colour_;         ///< of each point: index of its part of uniform colour
-  std::vector<int> block_;          ///< of each point: index of its block
-  std::vector<int> witnesses_;      ///< indices of contour points beside each point, concatenated
-  std::vector<int> witnesses_end_;  ///< of each point: end of its range in `witnesses_`
+  cv::Vec3f ground_;         ///< background_colour() in the lesson
+  std::vector<int> colour_;  ///< of each point: index of its part of uniform colour
+  std::vector<int> block_;   ///< of each point: index of its block
+  std::vector<int>
+      nearby_contour_points_;       ///< indices of contour points beside each point, concatenated
+  std::vector<int> witnesses_end_;  ///< of each point: end of its range in `nearby_contour_points_`
 };
 
 }  // namespace mbncc::evidence

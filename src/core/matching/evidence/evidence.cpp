@@ -73,11 +73,11 @@ Evidence evidence_of(const Reading& reading, const templates::PoseSample& sample
 
 Evidence evidence_without(const ColourCast& cast, const Reading& reading,
                           const templates::PoseSample& sample, double trimmed) {
-  thread_local templates::PoseSample freed;
-  freed = sample;
-  take_out(cast, freed.surface);
-  freed.residual = reading.object.surface.residual(freed.surface);
-  Evidence evidence = evidence_of(reading, freed, trimmed);
+  thread_local templates::PoseSample without_cast;
+  without_cast = sample;
+  remove_cast(cast, without_cast.surface);
+  without_cast.residual = reading.object.surface.residual(without_cast.surface);
+  Evidence evidence = evidence_of(reading, without_cast, trimmed);
   evidence.cast = cast.size();
   return evidence;
 }
@@ -107,14 +107,15 @@ Evidence gather_evidence(const templates::PoseTemplate& object, const scene::Sce
   auto blocks = templates::block_sums(object.surface, sample.surface);
   const double trimmed = trimmed_residual(blocks);
   const ColourCast cast = bounded(local_cast(blocks).value_or(ColourCast{}));
-  const Evidence as_seen = evidence_of(reading, sample, trimmed);
-  if (cast.size() < kLeastCast) return as_seen;
-  take_out(cast, blocks);
+  const Evidence with_cast = evidence_of(reading, sample, trimmed);
+  if (cast.size() < kLeastCast) return with_cast;
+  remove_cast(cast, blocks);
   const double without = trimmed_residual(blocks);
   const double gained = kTrimmedWeight * (log_trimmed(trimmed) - log_trimmed(without));
-  if (gained + kOtherGain < cast_penalty(cast.size())) return as_seen;
-  const Evidence freed = evidence_without(cast, reading, sample, without);
-  return log_odds(freed, kLargeArea) > log_odds(as_seen, kLargeArea) ? freed : as_seen;
+  if (gained + kOtherGain < cast_penalty(cast.size())) return with_cast;
+  const Evidence without_cast = evidence_without(cast, reading, sample, without);
+  return log_odds(without_cast, kLargeArea) > log_odds(with_cast, kLargeArea) ? without_cast
+                                                                              : with_cast;
 }
 
 double log_odds(const Evidence& evidence, double area) {

@@ -8,7 +8,7 @@ namespace mbncc::evidence {
 namespace {
 
 /// Whether a block's mean colour is neither dark nor clipped in any channel.
-bool is_told_by(const templates::BlockSums::Channels& sums, double count) {
+bool is_usable(const templates::BlockSums::Channels& sums, double count) {
   constexpr double kDark = 24, kClipped = 245;
   return std::all_of(sums.begin(), sums.end(),
                      [&](double sum) { return sum >= kDark * count && sum <= kClipped * count; });
@@ -53,7 +53,7 @@ ColourCast tightest_half(const std::vector<ColourCast>& casts) {
 std::optional<ColourCast> local_cast(const std::vector<templates::BlockSums>& blocks) {
   std::vector<ColourCast> casts;
   for (const auto& [count, learned, seen, learned_square, seen_square, product] : blocks) {
-    if (count == 0 || !is_told_by(learned, count) || !is_told_by(seen, count)) continue;
+    if (count == 0 || !is_usable(learned, count) || !is_usable(seen, count)) continue;
     const double green = seen[1] / learned[1];
     casts.push_back(
         {std::log(seen[0] / learned[0] / green), std::log(seen[2] / learned[2] / green)});
@@ -67,7 +67,7 @@ ColourCast bounded(const ColourCast& cast) {
   return {std::clamp(cast.blue, -kMost, kMost), std::clamp(cast.red, -kMost, kMost)};
 }
 
-void take_out(const ColourCast& cast, templates::SurfaceSample& sample) {
+void remove_cast(const ColourCast& cast, templates::SurfaceSample& sample) {
   constexpr float kWhite = 255;
   const cv::Vec3d gains = cast.gains();
   for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {
@@ -77,7 +77,7 @@ void take_out(const ColourCast& cast, templates::SurfaceSample& sample) {
   }
 }
 
-void take_out(const ColourCast& cast, std::vector<templates::BlockSums>& blocks) {
+void remove_cast(const ColourCast& cast, std::vector<templates::BlockSums>& blocks) {
   const cv::Vec3d gains = cast.gains();
   for (auto& block : blocks)
     for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {

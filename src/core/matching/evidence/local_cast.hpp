@@ -28,7 +28,7 @@ std::optional<ColourCast> local_cast(const std::vector<templates::BlockSums>& bl
 ColourCast bounded(const ColourCast& cast);
 
 /// Removes the cast; colours stay in [0..255].
-void take_out(const ColourCast& cast, templates::SurfaceSample& sample);
-void take_out(const ColourCast& cast, std::vector<templates::BlockSums>& blocks);
+void remove_cast(const ColourCast& cast, templates::SurfaceSample& sample);
+void remove_cast(const ColourCast& cast, std::vector<templates::BlockSums>& blocks);
 
 }  // namespace mbncc::evidence

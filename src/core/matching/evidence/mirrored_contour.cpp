@@ -11,11 +11,12 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kAlignmentSteps = 6;  // steps of 1 px to align the mirrored outline, ...
-constexpr int kSettling = 2;        // ... and the object's own outline
-constexpr double kWorse = 0.2;      // difference in agreement that these steps cannot make up for
-constexpr double kSame = 3;         // [px] closer poses are duplicates
-constexpr double kTold = 0.006;  // [agreement] least deficit of a different outline in the lesson
+constexpr int kAlignmentSteps = 6;     // steps of 1 px to align the mirrored outline, ...
+constexpr int kOwnAlignmentSteps = 2;  // ... and the object's own outline
+constexpr double kWorse = 0.2;  // difference in agreement that these steps cannot make up for
+constexpr double kSame = 3;     // [px] closer poses are duplicates
+constexpr double kMinDeficit =
+    0.006;  // [agreement] least deficit of a different outline in the lesson
 constexpr double kLeastLimit = 0.005;  // [agreement] lower bound of limit()
 
 templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
@@ -54,7 +55,7 @@ MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
     : mirrored_(mirrored(contour)), poses_(best_overlays(mirrored_, contour)) {
   const double surplus = advantage(contour, lesson, home, 1);
   usual_ = std::max(0.0, surplus);
-  if (surplus < -kTold) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
+  if (surplus < -kMinDeficit) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
 }
 
 double MirroredContour::advantage(const templates::ContourTemplate& contour,
@@ -65,7 +66,7 @@ double MirroredContour::advantage(const templates::ContourTemplate& contour,
     return scene.around(place, scale * contour.radius() + kSlack);
   };
   const double own =
-      ContourAlignment(contour, around(pose), scale).aligned(pose, kSettling).agreement;
+      ContourAlignment(contour, around(pose), scale).aligned(pose, kOwnAlignmentSteps).agreement;
   double most = -1;
   for (const auto& there : poses_) {
     const Pose2D start = compose(pose, {scale * there.x, scale * there.y, there.theta});

@@ -20,7 +20,7 @@ std::vector<Comparison> comparisons(
   std::shared_ptr<const scene::SceneImage> colour_scene, grey_scene;
   for (auto& [object, scene] : all) {
     auto& shared = object->coloured ? colour_scene : grey_scene;
-    if (!shared) shared = scenes.show(object->coloured ? image : scene::grey_image(image), top);
+    if (!shared) shared = scenes.prepare(object->coloured ? image : scene::grey_image(image), top);
     scene = shared;
   }
   return all;

@@ -193,7 +193,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     fine = prepare(kVerifiedPoints);
     parts = evidence::ColourParts(
         fine.surface, fine.contour,
-        evidence::ground_beside(fine.contour, image, {anchor.x, anchor.y, 0}));
+        evidence::background_colour(fine.contour, image, {anchor.x, anchor.y, 0}));
     ratios = evidence::RatioResidual(fine.surface, shape.area());
     interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});

@@ -12,11 +12,11 @@ namespace mbncc {
 namespace {
 
 // Limits of a certain symmetry.
-constexpr double kSureOutline = 0.03;  // [radii] depth of the outline's difference, ...
-constexpr double kWobble = 2;          // [px] ... at least the error of a map's edge, ...
-constexpr double kSmallWobble = 0.12;  // [radii] ... limited for small objects
-constexpr double kSureMark = 4.5;      // [grey levels] in addition to noise
-constexpr double kDrawn = 0.06;        // of the texture: error of its edges by sampling
+constexpr double kSureOutline = 0.03;    // [radii] depth of the outline's difference, ...
+constexpr double kMapEdgeError = 2;      // [px] ... at least the error of a map's edge, ...
+constexpr double kSmallWobble = 0.12;    // [radii] ... limited for small objects
+constexpr double kSureMark = 4.5;        // [grey levels] in addition to noise
+constexpr double kSamplingError = 0.06;  // of the texture: error of its edges by sampling
 
 // Limits of a near symmetry.
 constexpr double kNearOverlap = 0.9;
@@ -62,10 +62,10 @@ class Measurement {
     const double radius = map_.radius();
     // The edge of a map is inaccurate by a fraction of a pixel, which matters more for small
     // objects.
-    const double wavering = std::clamp(0.8 / radius, 0.03, 0.05);
-    const double drawn = kDrawn * surface_->texture();
-    const double wobble = std::min(kWobble, kSmallWobble * radius);
-    return difference.overlap >= 1 - wavering &&
+    const double overlap_tolerance = std::clamp(0.8 / radius, 0.03, 0.05);
+    const double drawn = kSamplingError * surface_->texture();
+    const double wobble = std::min(kMapEdgeError, kSmallWobble * radius);
+    return difference.overlap >= 1 - overlap_tolerance &&
            difference.outline <= std::max(wobble, kSureOutline * radius) &&
            difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
   }
@@ -84,8 +84,8 @@ class Measurement {
 }  // namespace
 
 MeasuredSymmetry measure_symmetry(const View& view) {
-  constexpr int kAnyOrder = 23;       // order that no polygon has
-  constexpr double kRegained = 0.03;  // overlap gained by the best shift
+  constexpr int kAnyOrder = 23;          // order that no polygon has
+  constexpr double kOverlapGain = 0.03;  // overlap gained by the best shift
   Measurement measurement(view);
   if (measurement.covers_itself(kAnyOrder, kRoundOverlap)) {
     // Only the operator can decide whether a difference of the surface is a mark, an oblique side
@@ -95,7 +95,7 @@ MeasuredSymmetry measure_symmetry(const View& view) {
   }
   MeasuredSymmetry symmetry;
   for (const int order : {12, 10, 9, 8, 7, 6, 5, 4, 3, 2}) {
-    if (!measurement.covers_itself(order, kNearOverlap - kRegained)) continue;
+    if (!measurement.covers_itself(order, kNearOverlap - kOverlapGain)) continue;
     const Repeats repeats = measurement.with_order(order);
     if (repeats == Repeats::kNearly && is_declarable_symmetry(order))
       symmetry.possible = std::max(symmetry.possible, order);

@@ -48,8 +48,8 @@ std::vector<std::size_t> in_order_around(const templates::ContourTemplate& conto
 
 int coarse_level(double diameter, double width) {
   const double halvings = std::min(std::log2(diameter / kSmallest), std::log2(width / kThinnest));
-  const double bearable = std::ceil(std::log2(diameter / kLargest));
-  return std::clamp(static_cast<int>(std::max(std::floor(halvings), bearable)), 0, kTopLevel);
+  const double least_level = std::ceil(std::log2(diameter / kLargest));
+  return std::clamp(static_cast<int>(std::max(std::floor(halvings), least_level)), 0, kTopLevel);
 }
 
 }  // namespace

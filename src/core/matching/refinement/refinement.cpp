@@ -41,14 +41,14 @@ class Refiner {
       scale_ = 1;
       seen = approach(iterations, kFixedScale);
     }
-    if (strayed()) {
+    if (left_search_range()) {
       pose_ = start_;
       scale_ = first_scale_;
       seen = linearise();
     }
     if (!seen) return unknown_accuracy(pose_);
-    const double apart = std::max(unclaimed_, halves_apart());
-    return {pose_, scale_, covariance(unclaimed_), covariance(apart)};
+    const double apart = std::max(between_cue_variance_, variance_between_halves());
+    return {pose_, scale_, covariance(between_cue_variance_), covariance(apart)};
   }
 
  private:
@@ -79,7 +79,7 @@ class Refiner {
   }
 
   bool linearise();
-  double halves_apart();
+  double variance_between_halves();
   numeric::NormalEquations half_pull(double x, double y);
   double gain() const;
   numeric::NormalEquations edges_pull(const templates::ContourSample& sample) const;
@@ -92,8 +92,8 @@ class Refiner {
   }
   std::array<numeric::NormalEquations, ColourAxes::kAxes> axis_pulls(
       const std::vector<float>& weights);
-  numeric::NormalEquations as_far_as_it_agrees(const numeric::NormalEquations& colour,
-                                               const numeric::NormalEquations& edges) const;
+  numeric::NormalEquations marginalised_by_disagreement(
+      const numeric::NormalEquations& colour, const numeric::NormalEquations& edges) const;
 
   cv::Matx44d information(double scale_deviation) const {
     cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
@@ -127,13 +127,13 @@ class Refiner {
     return std::max(std::hypot(step[0], step[1]), std::hypot(step[2], step[3]) * radius());
   }
 
-  bool strayed() const {
+  bool left_search_range() const {
     return std::hypot(pose_.x - start_.x, pose_.y - start_.y) > kFarthest ||
            angle_distance(pose_.theta, start_.theta) * radius() > kFarthest ||
            std::abs(scale_ - 1) > kMostScale;
   }
 
-  cv::Matx33d covariance(double unclaimed) const;
+  cv::Matx33d covariance(double between_cue_variance) const;
   static constexpr double kLeast = 1e-4;  // [1/px^2] prior information
 
   const RefinementTemplate& object_;
@@ -143,8 +143,8 @@ class Refiner {
   Samples& samples_ = samples();
   numeric::NormalEquations pull_, edges_;  // at the last linearisation
   double contrast_ = 1;                    // of the image relative to the template
-  double unclaimed_ = 0;                   // [px^2] random-effects variance of the cues
-  IlluminationBias displacement_;          // at the last linearisation
+  double between_cue_variance_ = 0;        // [px^2] random-effects variance of the cues
+  IlluminationBias illumination_bias_;     // at the last linearisation
 };
 
 /// Builds the normal equations of surface and contour at the pose. False if too little is visible.
@@ -153,7 +153,7 @@ bool Refiner::linearise() {
   object.surface.sample(pixels(), pose_, samples_.surface, scale_);
   if (!samples_.surface.suffices()) return false;
   contrast_ = gain();
-  displacement_ = IlluminationBias(object.surface, samples_.surface, contrast_);
+  illumination_bias_ = IlluminationBias(object.surface, samples_.surface, contrast_);
   read_edges(kReach);
   edges_ = edges_pull(samples_.contour);
   samples_.remainders.read(object_.axes, object.surface, samples_.surface);
@@ -161,12 +161,12 @@ bool Refiner::linearise() {
   numeric::RandomEffects all(radius());
   all.add(edges_);
   for (const auto& axis : axes) all.add(axis);
-  unclaimed_ = all.variance();
+  between_cue_variance_ = all.variance();
   numeric::NormalEquations colour = axes[1];
   colour += axes[2];
   pull_ = edges_;
   pull_ += axes[ColourAxes::kBrightness];
-  pull_ += as_far_as_it_agrees(colour, edges_);
+  pull_ += marginalised_by_disagreement(colour, edges_);
   return true;
 }
 
@@ -185,13 +185,13 @@ numeric::NormalEquations Refiner::half_pull(double x, double y) {
   numeric::NormalEquations colour = axes[1];
   colour += axes[2];
   pull += axes[ColourAxes::kBrightness];
-  pull += as_far_as_it_agrees(colour, edges_);
+  pull += marginalised_by_disagreement(colour, edges_);
   return pull;
 }
 
 /// [px^2] Variance between halves of the object, split along the image's rows and columns, beyond
 /// their covariances: in an image that is torn by motion, one half is displaced.
-double Refiner::halves_apart() {
+double Refiner::variance_between_halves() {
   read_edges(kFarReach);
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   double most = 0;
@@ -211,7 +211,7 @@ numeric::NormalEquations Refiner::edges_pull(const templates::ContourSample& sam
   numeric::NormalEquations edges = object_.contour_motion.pull(sample);
   edges.information *= 1 / scatter;
   edges.vector *= 1 / scatter;
-  return numeric::marginalised_over_shift(edges, displacement_.of_contour());
+  return numeric::marginalised_over_shift(edges, illumination_bias_.of_contour());
 }
 
 std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
@@ -229,14 +229,14 @@ std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
     pulls[axis].vector *= share / noise;
   }
   numeric::NormalEquations& brightness = pulls[ColourAxes::kBrightness];
-  brightness = numeric::marginalised_over_shift(brightness, displacement_.of_brightness());
+  brightness = numeric::marginalised_over_shift(brightness, illumination_bias_.of_brightness());
   return pulls;
 }
 
 /// Normal equations of the colour axes, marginalised over a displacement if they disagree with the
 /// contour: cameras blur and displace colour, some by pixels.
-numeric::NormalEquations Refiner::as_far_as_it_agrees(const numeric::NormalEquations& colour,
-                                                      const numeric::NormalEquations& edges) const {
+numeric::NormalEquations Refiner::marginalised_by_disagreement(
+    const numeric::NormalEquations& colour, const numeric::NormalEquations& edges) const {
   constexpr double kUsual = 0.3;  // [px] distance between colour and contour
   numeric::RandomEffects two(radius());
   two.add(colour);
@@ -255,13 +255,15 @@ double Refiner::gain() const {
   return std::clamp((common + kPrior) / (energy + kPrior), 0.3, 2.0);
 }
 
-/// Covariance of x, y, theta. `unclaimed` [px^2]: random-effects variance of cues or halves.
-cv::Matx33d Refiner::covariance(double unclaimed) const {
+/// Covariance of x, y, theta. `between_cue_variance` [px^2]: random-effects variance of cues or
+/// halves.
+cv::Matx33d Refiner::covariance(double between_cue_variance) const {
   constexpr double kAlike = 3;  // factor, because the cause also displaces all cues together
   const double rim = radius() * radius();
-  const cv::Matx33d in_template = information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
-                                  displacement_.of_pose(radius()) +
-                                  kAlike * unclaimed * cv::Matx33d::diag({1, 1, 1 / rim});
+  const cv::Matx33d in_template =
+      information(scale_deviation_).inv().get_minor<3, 3>(0, 0) +
+      illumination_bias_.of_pose(radius()) +
+      kAlike * between_cue_variance * cv::Matx33d::diag({1, 1, 1 / rim});
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   const cv::Matx33d turn(c, -s, 0, s, c, 0, 0, 0, 1);
   return turn * in_template * turn.t();

@@ -8,10 +8,10 @@
 
 namespace mbncc::scene {
 SceneImage::SceneImage(const cv::Mat& image, int top_level) {
-  show(image, top_level);
+  set_image(image, top_level);
 }
 
-void SceneImage::show(const cv::Mat& image, int top_level) {
+void SceneImage::set_image(const cv::Mat& image, int top_level) {
   check_searchable(image);
   const bool in_colour = image.type() == CV_8UC3;
   cv::cvtColor(image, converted_, in_colour ? cv::COLOR_BGR2GRAY : cv::COLOR_GRAY2BGR);
@@ -20,7 +20,7 @@ void SceneImage::show(const cv::Mat& image, int top_level) {
   levels.resize(colours_.size());
   padded_.resize(grey.size());
   for (std::size_t level = 0; level < levels.size(); ++level) {
-    levels[level].show(colours_[level], static_cast<int>(level));
+    levels[level].set_image(colours_[level], static_cast<int>(level));
     if (!padded_[level]) padded_[level] = std::make_unique<PaddedCache<imaging::PaddedImage>>();
     padded_[level]->forget();
   }

@@ -20,7 +20,7 @@ struct SceneImage {
   SceneImage(const cv::Mat& image, int top_level);
 
   /// Sets `image`, which must meet check_searchable(), and reuses the memory of the last one.
-  void show(const cv::Mat& image, int top_level);
+  void set_image(const cv::Mat& image, int top_level);
   /// Releases the caller's image and keeps the memory.
   void forget();
 

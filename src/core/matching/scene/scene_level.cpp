@@ -19,10 +19,10 @@ int tiles_along(int pixels) {
 SceneLevel::SceneLevel() : responses_(std::make_unique<PaddedCache<ResponseMaps>>()) {}
 
 SceneLevel::SceneLevel(const cv::Mat& image, int level) : SceneLevel() {
-  show(image, level);
+  set_image(image, level);
 }
 
-void SceneLevel::show(const cv::Mat& image, int level) {
+void SceneLevel::set_image(const cv::Mat& image, int level) {
   colour_.create(image.size(), CV_8UC3);
   edges_.create(image.size(), CV_8SC2);
   image_ = image;

@@ -14,7 +14,7 @@
 
 namespace mbncc::scene {
 
-/// Pixels of a level, prepared in the requested region only. Valid until another image is shown.
+/// Pixels of a level, prepared in the requested region only. Valid until another image is set.
 struct PreparedPixels {
   const cv::Mat& colour;  ///< CV_8UC3, smoothed
   const cv::Mat& edges;   ///< CV_8SC2, see gradient_orientation.hpp
@@ -31,7 +31,7 @@ class SceneLevel {
 
   /// Sets `image`, CV_8UC3, reusing the memory of the last one; it is smoothed slightly against
   /// noise, more at level 0.
-  void show(const cv::Mat& image, int level);
+  void set_image(const cv::Mat& image, int level);
   /// Releases the image and keeps the memory.
   void forget() { image_.release(); }
 

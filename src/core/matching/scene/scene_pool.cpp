@@ -3,14 +3,14 @@
 
 namespace mbncc::scene {
 
-std::shared_ptr<const SceneImage> ScenePool::show(const cv::Mat& image, int top_level) {
+std::shared_ptr<const SceneImage> ScenePool::prepare(const cv::Mat& image, int top_level) {
   const auto place = lend();
-  const std::shared_ptr<SceneImage> scene(&*place, [this, place](SceneImage* shown) {
-    shown->forget();
+  const std::shared_ptr<SceneImage> scene(&*place, [this, place](SceneImage* released) {
+    released->forget();
     const std::lock_guard<std::mutex> lock(changing_);
     idle_.splice(idle_.begin(), lent_, place);
   });
-  scene->show(image, top_level);
+  scene->set_image(image, top_level);
   return scene;
 }
 

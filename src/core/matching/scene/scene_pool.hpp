@@ -14,8 +14,8 @@ namespace mbncc::scene {
 /// time. Thread-safe; the pool must outlive its scenes.
 class ScenePool {
  public:
-  /// A scene of `image`, in the memory of an unused scene if there is any. See SceneImage::show().
-  std::shared_ptr<const SceneImage> show(const cv::Mat& image, int top_level);
+  /// A scene of `image`, in the memory of an unused scene if there is any. See SceneImage::set_image().
+  std::shared_ptr<const SceneImage> prepare(const cv::Mat& image, int top_level);
 
  private:
   std::list<SceneImage>::iterator lend();

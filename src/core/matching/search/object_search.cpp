@@ -22,7 +22,7 @@ cv::Rect anchor_region(const cv::Rect& roi, const prepared::PreparedView& view, 
 std::vector<decision::Detection> search_views(const prepared::PreparedObject& object,
                                               const scene::SceneImage& scene, const cv::Rect& roi,
                                               SearchMode mode) {
-  const bool gated = mode == SearchMode::kGated;
+  const bool gated = mode == SearchMode::kColourPrefiltered;
   std::vector<decision::Detection> found;
   for (const auto& view : object.views) {
     const auto detections =
@@ -43,11 +43,11 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode) {
-  if (is_sparing(mode) || object.views.size() == 1) return search_views(object, scene, roi, mode);
+  if (is_reduced(mode) || object.views.size() == 1) return search_views(object, scene, roi, mode);
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
   const bool enough = std::any_of(
       found.begin(), found.end(),
-      [](const decision::Detection& detection) { return detection.log_odds() >= kFound; });
+      [](const decision::Detection& detection) { return detection.log_odds() >= kMinFoundOdds; });
   return enough ? found : search_views(object, scene, roi, mode);
 }
 

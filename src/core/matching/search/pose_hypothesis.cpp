@@ -10,8 +10,9 @@
 namespace mbncc::search {
 namespace {
 
-constexpr std::size_t kPolished = 8;
-constexpr double kOutclassed = 8;  // log-odds behind the best from which on poses are not aligned
+constexpr std::size_t kMostAligned = 8;
+constexpr double kAlignmentMargin =
+    8;  // log-odds behind the best from which on poses are not aligned
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
   constexpr double kSame = 0.25;  // [px]
@@ -62,7 +63,7 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
     elsewhere = true;
     best = better_rotation(best, score_as_is(view, scene, reached));
   }
-  best.refining = kRefining;
+  best.refinement_steps = kRefining;
   return best;
 }
 
@@ -74,8 +75,8 @@ std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
   std::vector<Pose2D> reached;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     const templates::Candidate& candidate = candidates[i];
-    if (i >= kPolished || candidate.value <= promising ||
-        candidate.value <= candidates.front().value - kOutclassed) {
+    if (i >= kMostAligned || candidate.value <= promising ||
+        candidate.value <= candidates.front().value - kAlignmentMargin) {
       found.push_back(score_as_is(view, scene, candidate.pose));
       continue;
     }

@@ -13,14 +13,14 @@
 namespace mbncc::search {
 
 /// Log-odds below which no pose ever became a detection, so it is not refined.
-constexpr double kWorthRefining = -4;
+constexpr double kMinOddsToRefine = -4;
 
 /// A pose at full resolution with the evidence for it.
 struct PoseHypothesis {
   Pose2D pose;
   evidence::Evidence evidence;
-  double odds = 0;   ///< log-odds that the object lies here
-  int refining = 0;  ///< steps that its refinement may take
+  double odds = 0;           ///< log-odds that the object lies here
+  int refinement_steps = 0;  ///< steps that its refinement may take
 };
 
 /// The evidence for a pose without alignment.

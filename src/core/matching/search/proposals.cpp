@@ -22,7 +22,7 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 
 }  // namespace
 
-void Proposals::follow_edges(std::size_t most) {
+void Proposals::search_contours(std::size_t most) {
   const int level = view_.contour_bank.level();
   edges_ = proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level),
                                  most, most, view_.sector, places_);
@@ -53,7 +53,7 @@ std::vector<templates::Candidate> Proposals::by_edges(std::size_t most) const {
           edges_.begin() + static_cast<std::ptrdiff_t>(std::min(most, edges_.size()))};
 }
 
-std::vector<templates::Candidate> Proposals::by_visible_part(std::size_t most) const {
+std::vector<templates::Candidate> Proposals::by_partial_contour(std::size_t most) const {
   const int level = view_.contour_bank.level();
   const std::vector<templates::Candidate> found =
       proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level), 0,

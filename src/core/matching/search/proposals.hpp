@@ -21,7 +21,7 @@ class Proposals {
 
   /// Searches by contours for at most `most` poses; required before by_edges() and
   /// foremost_by_edges().
-  void follow_edges(std::size_t most);
+  void search_contours(std::size_t most);
   /// The best `most` places by rotated correlation; none if the object needs one of the finest
   /// levels.
   std::vector<templates::Candidate> by_correlation(int most) const;
@@ -29,7 +29,7 @@ class Proposals {
   std::vector<templates::Candidate> by_edges(std::size_t most) const;
   /// The `most` best poses by colours and the best three quarters of the contour; the fourth
   /// quarter may be covered.
-  std::vector<templates::Candidate> by_visible_part(std::size_t most) const;
+  std::vector<templates::Candidate> by_partial_contour(std::size_t most) const;
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;

@@ -46,18 +46,18 @@ class PyramidTracker {
   /// Scores proposals, first with a coarse template, because reading the surface is expensive and
   /// most proposals are wrong.
   void enter(int level, std::vector<templates::Candidate>& candidates) const {
-    keep_those_on_edges(level, candidates);
+    keep_best_by_contour(level, candidates);
     score(view_.rough[level], 0, candidates);
     templates::suppress(candidates, {budget_.judged});
     templates::drop_below(kThresholds.roughly, candidates);
     score(view_.templates[level], 0, candidates);
-    templates::suppress(candidates, {budget_.entering, kHopeless});
+    templates::suppress(candidates, {budget_.entering, kPruningMargin});
     templates::drop_below(kThresholds.entering, candidates);
   }
 
   /// Keeps the best candidates by the contour alone.
-  void keep_those_on_edges(int level, std::vector<templates::Candidate>& candidates) const {
-    if (candidates.size() <= budget_.on_edges) return;
+  void keep_best_by_contour(int level, std::vector<templates::Candidate>& candidates) const {
+    if (candidates.size() <= budget_.best_by_contour) return;
     const templates::PoseTemplate& object = view_.rough[level];
     for (auto& candidate : candidates)
       candidate.value =
@@ -65,7 +65,7 @@ class PyramidTracker {
                                      scene_.levels[level].around(candidate.pose, object.reach()))
               .at(candidate.pose);
     templates::sort_by_value(candidates);
-    candidates.resize(budget_.on_edges);
+    candidates.resize(budget_.best_by_contour);
   }
 
   /// Aligns the candidates in `iterations` steps and computes their log-odds.
@@ -82,8 +82,8 @@ class PyramidTracker {
   void align(int level, int iterations, std::vector<templates::Candidate>& candidates) const {
     score(view_.templates[level], iterations, candidates);
     const auto kept = static_cast<std::size_t>(budget_.kept * static_cast<double>(most_at(level)));
-    templates::suppress(
-        candidates, {kept, kHopeless, apart_at(level), alike_at(level, level == 0 ? 1.5 : 1.0)});
+    templates::suppress(candidates, {kept, kPruningMargin, apart_at(level),
+                                     alike_at(level, level == 0 ? 1.5 : 1.0)});
     templates::drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);
   }
 

@@ -8,17 +8,17 @@ namespace mbncc::search {
 
 /// Budget for candidates. The defaults are those of the first search.
 struct SearchBudget {
-  std::size_t edge_poses = 400;  ///< poses of the contour search, at most
-  std::size_t on_edges = 200;    ///< the best of these by contour, at most
-  std::size_t judged = 96;       ///< candidates scored by all features at the first level, at most
-  std::size_t entering = 48;     ///< the best of these, which are aligned there, at most
-  double kept = 1;               ///< candidates at each level, times most_at()
+  std::size_t contour_proposals = 400;  ///< poses of the contour search, at most
+  std::size_t best_by_contour = 200;    ///< the best of these by contour, at most
+  std::size_t judged = 96;    ///< candidates scored by all features at the first level, at most
+  std::size_t entering = 48;  ///< the best of these, which are aligned there, at most
+  double kept = 1;            ///< candidates at each level, times most_at()
 };
 
 /// The second search, of an object that the first did not find.
 constexpr SearchBudget kSecondSearch = [] {
   SearchBudget budget;
-  budget.edge_poses = budget.on_edges = 200;
+  budget.contour_proposals = budget.best_by_contour = 200;
   budget.judged = 100;
   budget.entering = 64;
   budget.kept = 2;
@@ -33,9 +33,9 @@ struct FirstSearch {
 };
 
 /// The first search of one object among many.
-constexpr FirstSearch kAmongMany = [] {
+constexpr FirstSearch kReducedSearch = [] {
   FirstSearch first;
-  first.budget.edge_poses = first.budget.on_edges = 100;
+  first.budget.contour_proposals = first.budget.best_by_contour = 100;
   first.budget.judged = 24;
   first.budget.entering = 12;
   first.promising = -5;
@@ -43,16 +43,16 @@ constexpr FirstSearch kAmongMany = [] {
 }();
 
 /// Log-odds behind the best below which candidates are dropped.
-constexpr double kHopeless = 15;  ///< while tracking down the pyramid
-constexpr double kNoRival = 12;   ///< among candidates at full resolution
+constexpr double kPruningMargin = 15;       ///< while tracking down the pyramid
+constexpr double kFinalPruningMargin = 12;  ///< among candidates at full resolution
 
 /// Correlation is skipped if, of the contour candidates,
-constexpr double kCertain = 3;         ///< the best has at least these log-odds, ...
-constexpr double kSecond = -1;         ///< every other place has less than these, ...
+constexpr double kMinBestOdds = 3;     ///< the best has at least these log-odds, ...
+constexpr double kMaxSecondOdds = -1;  ///< every other place has less than these, ...
 constexpr std::size_t kForemost = 60;  ///< and the best was among this many first proposals.
 
 /// The second search is skipped if the best candidate has these log-odds, minus the clutter
 /// penalty.
-constexpr double kFound = 3;
+constexpr double kMinFoundOdds = 3;
 
 }  // namespace mbncc::search

@@ -18,7 +18,7 @@ constexpr double kReportable = -2.2;  // log-odds of a score of .1
 evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
                                              const scene::SceneLevel& scene,
                                              const refinement::Refined& found, double odds) {
-  if (odds <= kWorthRefining) return {};
+  if (odds <= kMinOddsToRefine) return {};
   thread_local templates::SurfaceSample sample;
   thread_local templates::ContourSample contour;
   const templates::SurfaceTemplate& surface = view.fine.surface;
@@ -27,7 +27,7 @@ evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
   templates::read_contour(view.fine.contour, pixels.edges, found.pose, 1, contour, found.scale);
   return view.parts.worst_differences(
       surface, sample, contour,
-      evidence::ground_beside(view.fine.contour, scene, found.pose, found.scale));
+      evidence::background_colour(view.fine.contour, scene, found.pose, found.scale));
 }
 
 /// Log-odds penalty of a mirrored outline that fits better by this much.
@@ -81,7 +81,7 @@ ResizedPose aligned_in(const templates::PoseTemplate& resized, const prepared::P
 struct SizedPose {
   RefinedPose place;
   /// The size differs by more than heights and tilts cause, or such a size fits better.
-  bool other_object = false;
+  bool implausible_size = false;
 };
 
 /// Refines a pose found at the learned size also from other sizes if they fit better, because the
@@ -98,17 +98,17 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
       if (reached.odds <= start.odds) continue;
       const RefinedPose again =
           with_odds(view, scene, found,
-                    refinement::refine(view.dense, scene.levels[0], reached.pose, found.refining,
-                                       resized.scale));
+                    refinement::refine(view.dense, scene.levels[0], reached.pose,
+                                       found.refinement_steps, resized.scale));
       if (again.odds > from.odds) from = again;
     } else if ((start.at.scale - 1) * (resized.scale - 1) < 0) {
       continue;
     }
     if (from.odds > best.place.odds) best.place = from;
     if (aligned_in(resized.farther, view, scene, from.at.pose).odds > best.place.odds)
-      best.other_object = true;
+      best.implausible_size = true;
   }
-  if (std::abs(best.place.at.scale - 1) > kUsual) best.other_object = true;
+  if (std::abs(best.place.at.scale - 1) > kUsual) best.implausible_size = true;
   return best;
 }
 
@@ -122,8 +122,8 @@ double mirror_advantage(const prepared::PreparedView& view, const scene::SceneIm
 
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             const PoseHypothesis& found) {
-  if (found.odds <= kWorthRefining) return refinement::unknown_accuracy(found.pose);
-  return refinement::refine(view.dense, scene.levels[0], found.pose, found.refining);
+  if (found.odds <= kMinOddsToRefine) return refinement::unknown_accuracy(found.pose);
+  return refinement::refine(view.dense, scene.levels[0], found.pose, found.refinement_steps);
 }
 
 /// Log-odds against other rotations at the same place; the smallest value if the pose cannot be
@@ -148,7 +148,8 @@ decision::Detection unrefined(const prepared::PreparedObject& object,
   detection.view_number = static_cast<std::size_t>(&view - object.views.data());
   detection.pose = found.pose;
   detection.pose.theta = wrap_angle(found.pose.theta);
-  detection.covariance = detection.cautious = refinement::unknown_accuracy(found.pose).covariance;
+  detection.covariance = detection.grasp_covariance =
+      refinement::unknown_accuracy(found.pose).covariance;
   detection.odds = log_odds_of_pose(found.odds);
   detection.rotation_odds = odds_of_rotation(view, scene.levels[0], found);
   return detection;
@@ -170,11 +171,11 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.pose.theta = wrap_angle(place.pose.theta);
   detection.scale = place.scale;
   detection.covariance = place.covariance;
-  detection.cautious = place.cautious;
+  detection.grasp_covariance = place.grasp_covariance;
   const evidence::ColourDifference difference =
       colour_difference(view, scene.levels[0], place, found.odds);
   detection.colour_difference = std::max(difference.colour, difference.block);
-  const double mirrored = found.odds > kWorthRefining ? mirror_advantage(view, scene, place) : 0;
+  const double mirrored = found.odds > kMinOddsToRefine ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
   const evidence::InteriorDifference interior =
       view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
@@ -195,7 +196,7 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   if (detection.log_odds() <= 0) return;
   const SizedPose sized = at_best_size(view, scene, found, place);
   if (sized.place.odds > place.odds) evaluate(view, scene, found, sized.place, detection);
-  detection.size_alternative = sized.other_object;
+  detection.size_alternative = sized.implausible_size;
 }
 
 /// Whether the rows of the image are displaced at the detection, or only those of the object, if

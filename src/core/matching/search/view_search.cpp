@@ -30,7 +30,8 @@ Count part_of(Count count, const proposal::AngleRange& sector) {
 }
 
 SearchBudget for_sector(SearchBudget budget, const proposal::AngleRange& sector) {
-  for (auto* count : {&budget.edge_poses, &budget.on_edges, &budget.judged, &budget.entering})
+  for (auto* count :
+       {&budget.contour_proposals, &budget.best_by_contour, &budget.judged, &budget.entering})
     *count = part_of(*count, sector);
   return budget;
 }
@@ -67,33 +68,35 @@ class ViewSearch {
         roi_(roi),
         everywhere_(places.everywhere()),
         mode_(mode),
-        first_(for_sector(is_sparing(mode) ? kAmongMany : FirstSearch(), view.sector)),
+        first_(for_sector(is_reduced(mode) ? kReducedSearch : FirstSearch(), view.sector)),
         proposals_(view, scene, roi, places) {}
 
   std::vector<decision::Detection> run() {
     if (view_.polar) return judge_polar();
     if (view_.top_level() > scene_.top_level()) return {};
-    proposals_.follow_edges(first_.budget.edge_poses);
+    proposals_.search_contours(first_.budget.contour_proposals);
     std::vector<templates::Candidate> candidates = best_by_edges();
-    if (everywhere_ && !sure(candidates))
+    if (everywhere_ && !is_certain(candidates))
       merge(track_down(view_, scene_, first_.budget,
                        proposals_.by_correlation(first_.correlated_places)),
             candidates);
-    if (mode_ == SearchMode::kTwice && !found(candidates))
-      merge(best_by_visible_part(), candidates);
-    templates::suppress(candidates, {most_at(0), kNoRival, apart()});
+    if (mode_ == SearchMode::kThorough && !is_likely(candidates))
+      merge(best_by_partial_contour(), candidates);
+    templates::suppress(candidates, {most_at(0), kFinalPruningMargin, apart()});
     try_other_angles(candidates);
     return verify(object_, view_, scene_, hypotheses(view_, scene_, candidates, first_.promising));
   }
 
  private:
   std::vector<templates::Candidate> best_by_edges() const {
-    return track_down(view_, scene_, first_.budget, proposals_.by_edges(first_.budget.edge_poses));
+    return track_down(view_, scene_, first_.budget,
+                      proposals_.by_edges(first_.budget.contour_proposals));
   }
 
-  std::vector<templates::Candidate> best_by_visible_part() const {
+  std::vector<templates::Candidate> best_by_partial_contour() const {
     const SearchBudget budget = for_sector(kSecondSearch, view_.sector);
-    return track_down(view_, scene_, budget, proposals_.by_visible_part(budget.edge_poses));
+    return track_down(view_, scene_, budget,
+                      proposals_.by_partial_contour(budget.contour_proposals));
   }
 
   void merge(const std::vector<templates::Candidate>& more,
@@ -108,19 +111,19 @@ class ViewSearch {
 
   /// Whether the best of the sorted candidates is likely, no other place is, and it was among the
   /// first contour proposals, which would then also contain any further instance.
-  bool sure(const std::vector<templates::Candidate>& candidates) const {
+  bool is_certain(const std::vector<templates::Candidate>& candidates) const {
     const auto places = best_places(candidates, apart(), 2);
-    if (places.empty() || places[0].value < kCertain) return false;
-    if (places.size() > 1 && places[1].value >= kSecond) return false;
+    if (places.empty() || places[0].value < kMinBestOdds) return false;
+    if (places.size() > 1 && places[1].value >= kMaxSecondOdds) return false;
     return proposals_.foremost_by_edges(places[0].pose, kForemost);
   }
 
   /// Whether the best of the sorted candidates is likely, including the clutter penalty.
-  bool found(const std::vector<templates::Candidate>& candidates) const {
+  bool is_likely(const std::vector<templates::Candidate>& candidates) const {
     std::vector<double> odds;
     for (const auto& place : best_places(candidates, apart(), candidates.size()))
       odds.push_back(place.value);
-    return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kFound;
+    return !odds.empty() && odds.front() - decision::clutter_penalty(odds) >= kMinFoundOdds;
   }
 
   /// Adds the best other rotations at the best places and wherever an instance is likely:
@@ -141,7 +144,7 @@ class ViewSearch {
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }
-    templates::suppress(candidates, {most_at(0), kNoRival, apart(), alike()});
+    templates::suppress(candidates, {most_at(0), kFinalPruningMargin, apart(), alike()});
     candidates.insert(candidates.end(), needed.begin(), needed.end());
     templates::suppress(candidates, {candidates.size(),
                                      templates::Suppression::kUnlimited,

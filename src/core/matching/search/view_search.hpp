@@ -12,15 +12,15 @@ namespace mbncc::search {
 
 /// How thoroughly and where a view is searched.
 enum class SearchMode {
-  kSparing,  ///< with few candidates, because most of many objects are not in the image
-  kGated,    ///< like kSparing, but only where the object's colours occur
-  kQuick,    ///< once, because another view may find the object
-  kTwice     ///< again with more candidates and starts if it is not found at once
+  kReduced,            ///< with few candidates, because most of many objects are not in the image
+  kColourPrefiltered,  ///< like kReduced, but only where the object's colours occur
+  kQuick,              ///< once, because another view may find the object
+  kThorough            ///< again with more candidates and starts if it is not found at once
 };
 
 /// Whether few candidates are used, because most objects are absent.
-inline bool is_sparing(SearchMode mode) {
-  return mode == SearchMode::kSparing || mode == SearchMode::kGated;
+inline bool is_reduced(SearchMode mode) {
+  return mode == SearchMode::kReduced || mode == SearchMode::kColourPrefiltered;
 }
 
 /// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
