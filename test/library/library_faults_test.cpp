@@ -121,7 +121,7 @@ TEST(LibraryFaults, AFailingCallLeavesTheLibraryAsItWas) {
               << reason;
           // A rename with a new label consists of two steps, which may not be durable yet.
           const bool half_renamed = found.find("wrench renamed 1") != std::string::npos;
-          const bool not_durable = reason.find("not yet safe") != std::string::npos;
+          const bool not_durable = reason.find("not yet synced") != std::string::npos;
           EXPECT_TRUE(found == before || half_renamed || (not_durable && found == after))
               << reason << "\nbefore:\n"
               << before << "found:\n"
