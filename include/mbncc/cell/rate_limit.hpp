@@ -4,7 +4,7 @@
 
 namespace mbncc {
 
-/// A token bucket of at most two images: of 30 images a second, a limit of 20 passes two in
+/// A token bucket of at most 2.5 images: of 30 images a second, a limit of 20 passes two in
 /// three, and a limit of 30 passes all, also if they arrive unevenly.
 class RateLimit {
  public:

@@ -37,7 +37,8 @@ class FindService {
   using Request = mbncc_vision::FindObjects::Request;
   using Response = mbncc_vision::FindObjects::Response;
 
-  /// Calls run on separate threads, a few at a time; further calls return BUSY at once.
+  /// Up to four calls at a time are accepted, and searched one after the other; further calls
+  /// return BUSY at once.
   FindService(ros::NodeHandle node, const FindTools& tools);
   /// Calls close().
   ~FindService() { close(); }

@@ -84,7 +84,7 @@ Marker caption_of(const std_msgs::Header& header, const DetectedObject& object) 
   caption.text = object.name + score + "\n" + word_of(object.state);
   caption.scale.z = 0.4 * length_or(object.size.x, kFallbackLength);
   caption.color.a = 1;
-  // Towards the camera, beside the outline.
+  // Beside the outline, along -y of the header frame.
   caption.pose.position.y -= 1.0 * length_or(object.size.x, kFallbackLength);
   return caption;
 }

@@ -26,7 +26,8 @@ struct Differences {
 };
 
 int brightness_bin(float value) {
-  return std::clamp(static_cast<int>(value / NoiseModel::kBins), 0, NoiseModel::kBins - 1);
+  constexpr float kWidth = 256.F / NoiseModel::kBins;  // [grey levels]
+  return std::clamp(static_cast<int>(value / kWidth), 0, NoiseModel::kBins - 1);
 }
 
 float squared_gradient(const cv::Mat& image, int y, int x, int channel) {

@@ -91,10 +91,6 @@ double region_span(const cv::Mat& map, const cv::Mat& inside) {
   return std::min({1.0, box.width / double(region.width), box.height / double(region.height)});
 }
 
-double edge_clarity(const CutEvidence& evidence) {
-  return std::min(evidence.boundary_contrast, evidence.stability);
-}
-
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half) {
   CutEvidence evidence;

@@ -2,6 +2,7 @@
 // Reliability measures of a finished cut.
 #pragma once
 
+#include <algorithm>
 #include <opencv2/core.hpp>
 
 #include "learning/segmentation/smoothness.hpp"
@@ -30,7 +31,9 @@ double region_span(const cv::Mat& map, const cv::Mat& inside);
 
 /// How well the outline lies on image edges, or how little it depends on shifted log-odds,
 /// whichever is less [0..1].
-double edge_clarity(const CutEvidence& evidence);
+inline double edge_clarity(const CutEvidence& evidence) {
+  return std::min(evidence.boundary_contrast, evidence.stability);
+}
 
 CutEvidence cut_evidence(const FinishedCut& cut, const Smoothness& smoothness,
                          const Smoothness& half);

@@ -71,14 +71,6 @@ void check_lesson(const Lesson& lesson) {
       "The object's place is not given: there is no map, outline, click, region or image after.");
 }
 
-std::string size_text(const cv::Size& size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
-std::string point_inside(const cv::Size& image) {
-  return "Give a point inside the image of " + size_text(image) + " px.";
-}
-
 LearnError error_of(const Quality& quality) {
   if (quality.verdict != Verdict::kBad) return LearnError::kSuccess;
   const std::string& worst = quality.reasons.front();

@@ -29,9 +29,13 @@ inline bool is_near_image(const cv::Point2d& point) {
 }
 
 /// "640 x 480"
-std::string size_text(const cv::Size& size);
+inline std::string size_text(const cv::Size& size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
 
 /// "Give a point inside the image of 640 x 480 px."
-std::string point_inside(const cv::Size& image);
+inline std::string point_inside(const cv::Size& image) {
+  return "Give a point inside the image of " + size_text(image) + " px.";
+}
 
 }  // namespace mbncc::teaching

@@ -11,12 +11,6 @@ bool at_one_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
 }
 
-bool reference_within(const Detection& detection, const cv::Rect& roi) {
-  if (roi.empty()) return true;
-  const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
-  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
-}
-
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   const auto better = [](const Detection& a, const Detection& b) {
     return a.log_odds() > b.log_odds();

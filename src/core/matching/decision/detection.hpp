@@ -52,7 +52,11 @@ constexpr double kComparable = 8;
 bool at_one_place(const Detection& a, const Detection& b);
 
 /// Whether the reference point lies in `roi` [px]; true if that is empty.
-bool reference_within(const Detection& detection, const cv::Rect& roi);
+inline bool reference_within(const Detection& detection, const cv::Rect& roi) {
+  if (roi.empty()) return true;
+  const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
+  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
+}
 
 /// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest
 /// log-odds, and the others keep their differences in rotation_odds. Returns best first.
