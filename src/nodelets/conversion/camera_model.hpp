@@ -14,8 +14,7 @@
 namespace mbncc::nodelets {
 
 /// The camera of raw images with one of the models plumb_bob, rational_polynomial or equidistant.
-/// A new model also needs a change in rays.cpp, camera/rectifier.cpp, scripts/calibrate_platform,
-/// camera_info_fuzz_test.cpp and docs/interfaces.md.
+/// docs/contributing.md lists what else a new model needs.
 struct Lens {
   PinholeCamera camera;
   std::vector<double> distortion;  ///< coefficients in OpenCV's order; empty: none
