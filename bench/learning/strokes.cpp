@@ -27,8 +27,8 @@ constexpr const char* kOptions =
     "{help h   |       | this text }";
 
 constexpr double kBad = 0.85;  // IoU below which an operator would correct
-constexpr double kMiddle =
-    0.4;  // of the error's largest half width: the stroke stays in its middle
+// Of the error's largest half width: the stroke stays in its middle
+constexpr double kMiddle = 0.4;
 constexpr int kStrokeWidth = 3;  // [px]
 
 cv::Mat largest_part(const cv::Mat& mask) {

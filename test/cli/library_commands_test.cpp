@@ -78,7 +78,7 @@ TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
   EXPECT_TRUE(strict.prints("'part' has symmetry round, is reported at a score of 0.75 or more"))
       << strict.out;
   const ToolRun usual = on_library("edit", {"--name", "part", "--min-score", "auto"});
-  EXPECT_FALSE(usual.prints("is reported from")) << usual.out;
+  EXPECT_FALSE(usual.prints("is reported at")) << usual.out;
   EXPECT_EQ(on_library("edit", {"--name", "part"}).code, 2) << "nothing to do";
   EXPECT_EQ(on_library("edit", {"--name", "part", "--min-score", "0"}).code, 2);
   EXPECT_NE(shown().find("symmetry round, declared"), std::string::npos) << shown();

@@ -8,7 +8,6 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
-#include "matching/decision/clutter.hpp"
 #include "matching/decision/selection.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/proposal/ncc_search.hpp"

@@ -41,9 +41,9 @@ double RandomEffects::variance() const {
     squares += pull.squares();
     freedom += pull.freedom();
   }
-  const double unclaimed = squares - sum.squares() - (freedom - sum.freedom());
+  const double excess = squares - sum.squares() - (freedom - sum.freedom());
   const double weight = cv::trace(sum.information) - cv::trace(sum.inverse() * products);
-  return weight > 0 ? std::max(0.0, unclaimed / weight) : 0;
+  return weight > 0 ? std::max(0.0, excess / weight) : 0;
 }
 
 }  // namespace mbncc::numeric

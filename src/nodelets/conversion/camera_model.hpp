@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "mbncc/cell/platform.hpp"
+#include "mbncc/cell/pinhole_camera.hpp"
 
 namespace mbncc::nodelets {
 

@@ -32,7 +32,7 @@ void ImageFeed::work() {
     try {
       watch(**message);
     } catch (const std::exception& error) {
-      ROS_ERROR_THROTTLE(10, "watching the cell failed: %s", error.what());
+      ROS_ERROR_THROTTLE(10, "processing the image failed: %s", error.what());
       refuse(std::string("processing the image failed: ") + error.what());
     }
   }

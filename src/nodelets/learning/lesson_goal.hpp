@@ -8,7 +8,7 @@
 #include <optional>
 #include <string>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
 #include "nodelets/library/shared_library.hpp"
 

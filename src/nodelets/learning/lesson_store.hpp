@@ -8,7 +8,7 @@
 
 #include <string>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/lesson.hpp"
 #include "nodelets/learning/lesson_images.hpp"
 #include "nodelets/learning/lesson_tools.hpp"
 

@@ -7,7 +7,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "mbncc/learning/learn_object.hpp"
+#include "mbncc/learning/lesson.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
 #include "nodelets/learning/image_feed.hpp"
 

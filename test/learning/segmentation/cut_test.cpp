@@ -10,7 +10,6 @@
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/half_smoothness.hpp"
-#include "mbncc/learning/change.hpp"
 
 namespace mbncc {
 namespace {

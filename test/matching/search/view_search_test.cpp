@@ -7,7 +7,6 @@
 #include <algorithm>
 
 #include "matching/images.hpp"
-#include "matching/search/object_search.hpp"
 #include "matching/search/occupied_search.hpp"
 
 namespace mbncc::search {

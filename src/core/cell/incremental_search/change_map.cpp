@@ -18,14 +18,14 @@ constexpr double kNoiseFactor = 8;      // threshold in median differences of ce
 constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per image
 constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
 constexpr int kStride = 37;             // stride of the cells used for gain and noise
-constexpr double kLongestChange =
-    1.5;  // [s] a patch that keeps changing for longer is reported anyway
+// [s] a patch that keeps changing for longer is reported anyway
+constexpr double kLongestChange = 1.5;
 constexpr double kRestTime = 0.095;  // [s] a patch must be at rest for this long to be reported
 constexpr int kJoined = 3;           // [cells] side of the dilation that joins nearby patches
 constexpr int kLeastCells = 2;       // least changed cells of a reported patch
 constexpr int kLeastMoving = 2;      // cells in motion from which a patch is still changing
-constexpr double kGlobalChange =
-    0.35;  // changed part of the cells above which has_changed_globally() holds
+// Changed part of the cells above which has_changed_globally() holds
+constexpr double kGlobalChange = 0.35;
 
 cv::Mat cell_means(const cv::Mat& image) {
   cv::Mat cells = image;
@@ -199,22 +199,22 @@ void ChangeMap::compare(double stamp, const cv::Mat& cells) {
 }
 
 void ChangeMap::settle(double stamp, const cv::Mat& cells) {
-  const cv::Mat stirring = moving_cells(cells);
+  const cv::Mat moving = moving_cells(cells);
   const Patches patches(changed_);
-  const bool patient = stamp - rested_at_ < kLongestChange;
+  const bool may_wait = stamp - rested_at_ < kLongestChange;
   cv::Mat at_rest = cv::Mat::zeros(cells.size(), CV_8UC1);
-  bool restless = false;
+  bool any_moving = false;
   for (int label = 1; label < patches.count; ++label) {
     const cv::Rect box = patches.box(label);
     const cv::Mat patch = patches.labels(box) == label;
-    if (patient && cv::countNonZero(patch & stirring(box)) >= kLeastMoving) {
-      restless = true;
+    if (may_wait && cv::countNonZero(patch & moving(box)) >= kLeastMoving) {
+      any_moving = true;
       continue;
     }
     at_rest(box).setTo(255, patch);
     if (cv::countNonZero(patch & changed_(box)) >= kLeastCells) settled_.push_back(in_pixels(box));
   }
-  if (!restless) rested_at_ = stamp;
+  if (!any_moving) rested_at_ = stamp;
   update_reference(cells, at_rest);
 }
 
@@ -226,11 +226,11 @@ cv::Mat ChangeMap::moving_cells(const cv::Mat& cells) const {
 }
 
 void ChangeMap::update_reference(const cv::Mat& cells, const cv::Mat& which) {
-  cv::Mat anew;
-  cells.convertTo(anew, CV_32F, 1, kDark);
-  cv::divide(anew, gain_, anew);
-  cv::subtract(anew, cv::Scalar::all(kDark), anew);
-  anew.copyTo(references_, which);
+  cv::Mat updated;
+  cells.convertTo(updated, CV_32F, 1, kDark);
+  cv::divide(updated, gain_, updated);
+  cv::subtract(updated, cv::Scalar::all(kDark), updated);
+  updated.copyTo(references_, which);
 }
 
 }  // namespace mbncc

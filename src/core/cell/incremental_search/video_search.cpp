@@ -47,10 +47,11 @@ SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::M
                                const SearchRequest& request) {
   if (config_.sweep_time <= 0) return matcher.find(image, request);
   const auto start = Clock::now();
-  const bool anew = !state_ || !state_->serves(request, matcher.config(), image.size());
-  if (anew) state_ = std::make_unique<State>(request, matcher.config(), image.size());
-  incremental_search::FrameSearch look(state_->memory, config_, matcher, stamp, image);
-  SearchResult result = anew ? look.search_whole_image() : look.search_changes();
+  const bool restarted = !state_ || !state_->serves(request, matcher.config(), image.size());
+  if (restarted) state_ = std::make_unique<State>(request, matcher.config(), image.size());
+  incremental_search::FrameSearch frame_search(state_->memory, config_, matcher, stamp, image);
+  SearchResult result =
+      restarted ? frame_search.search_whole_image() : frame_search.search_changes();
   result.search_time = std::chrono::duration<double>(Clock::now() - start).count();
   return result;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Classifies changed patches as the place that the object left or as arrivals. The image before
+// Scores changed patches: the place that the object left against an arrival. The image before
 // shows the object only at the place that it left.
 #pragma once
 

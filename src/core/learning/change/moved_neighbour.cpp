@@ -16,10 +16,10 @@ constexpr int kReach = 8;              // largest displacement of a neighbour
 constexpr int kPatch = 3;              // half the side of the squares that are compared
 constexpr int kStride = 2;             // distance between the squares
 constexpr int kNeighbourDistance = 7;  // distance within which squares must have moved alike
-constexpr int kFewestAlike =
-    6;  // least number of squares within kNeighbourDistance that moved alike
-constexpr double kPartAlike =
-    0.4;  // least part of the squares within kNeighbourDistance that moved alike
+// Least number of squares within kNeighbourDistance that moved alike
+constexpr int kFewestAlike = 6;
+// Least part of the squares within kNeighbourDistance that moved alike
+constexpr double kPartAlike = 0.4;
 constexpr float kNoiseFactor = 3;     // mean square explained by noise, in variances
 constexpr float kLeftPart = 0.3F;     // part of a square's contrast that may stay unexplained
 constexpr float kLeastContrast = 40;  // [grey levels^2] least contrast of a recognisable square

@@ -22,7 +22,8 @@ SearchRequest anything() {
   return request;
 }
 
-// The verdict must not depend on a time budget.
+// The verdict must not depend on a time budget, nor on other objects: only this one is searched
+// for.
 SearchConfig unhurried(SearchConfig search) {
   search.time_budget = 0;
   return search;

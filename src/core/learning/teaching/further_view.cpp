@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <opencv2/imgproc.hpp>
 
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/matching/matcher.hpp"

@@ -132,9 +132,9 @@ class LessonRun {
   }
 
   // Learns the object at `place` if it left from there and is found elsewhere now.
-  bool learn_departure_at(const cv::Rect& place, Growth room) {
+  bool learn_departure_at(const cv::Rect& place, Growth growth) {
     cutter_.set_place(place);
-    const std::optional<Segmentation> other = cutter_.segment_if_possible(room);
+    const std::optional<Segmentation> other = cutter_.segment_if_possible(growth);
     if (!other || !other->cut_with) return false;
     make_model(other->map);
     const auto found = place_put_aside(other->map);

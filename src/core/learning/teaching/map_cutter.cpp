@@ -101,12 +101,12 @@ void MapCutter::set_place(const cv::Rect& place) {
   task_.changed = surveyed_;
 }
 
-Segmentation MapCutter::segment(Growth room) {
-  return lesson_.click ? segment_clicked(room) : segment_region(room);
+Segmentation MapCutter::segment(Growth growth) {
+  return lesson_.click ? segment_clicked(growth) : segment_region(growth);
 }
 
-Segmentation MapCutter::segment_region(Growth room) {
-  const cv::Rect wider = room == Growth::kMayGrow ? wider_region() : task_.region;
+Segmentation MapCutter::segment_region(Growth growth) {
+  const cv::Rect wider = growth == Growth::kMayGrow ? wider_region() : task_.region;
   if (wider == task_.region) return segment_once();
   const cv::Rect first = task_.region;
   const bool drawn = lesson_.region != cv::Rect() && first == usable_region(lesson_);
@@ -128,10 +128,10 @@ Segmentation MapCutter::segment_clicked_piece() {
 }
 
 // Where the platform changed as well, the change around a click contains more than the object.
-Segmentation MapCutter::segment_clicked(Growth room) {
+Segmentation MapCutter::segment_clicked(Growth growth) {
   if (task_.after.empty()) return segment_clicked_piece();
   try {
-    const Segmentation found = clicked(segment_region(room));
+    const Segmentation found = clicked(segment_region(growth));
     return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
   } catch (const LessonEnded& ended) {
     if (ended.error() == LearnError::kCancelled) throw;
@@ -170,8 +170,8 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   return alone;
 }
 
-std::optional<Segmentation> MapCutter::segment_if_possible(Growth room) {
-  return if_possible([&] { return segment(room); });
+std::optional<Segmentation> MapCutter::segment_if_possible(Growth growth) {
+  return if_possible([&] { return segment(growth); });
 }
 
 Segmentation MapCutter::segment_once() {

@@ -35,10 +35,10 @@ class MapCutter {
   /// Restricts the following cuts to `place` [px], where something changed.
   void set_place(const cv::Rect& place);
 
-  Segmentation segment(Growth room);
+  Segmentation segment(Growth growth);
 
   /// None if segment() reports that there is no map; throws only LessonEnded(kCancelled).
-  std::optional<Segmentation> segment_if_possible(Growth room);
+  std::optional<Segmentation> segment_if_possible(Growth growth);
 
   /// Cuts again from `cut`, with the strokes as constraints.
   Segmentation cut_again(const Segmentation& cut, const Marks& marks);
@@ -55,8 +55,8 @@ class MapCutter {
   Segmentation segment_once();
   Segmentation segment_unless_touching(double largest_touch);
   Segmentation checked(const Segmentation& found);
-  Segmentation segment_region(Growth room);
-  Segmentation segment_clicked(Growth room);
+  Segmentation segment_region(Growth growth);
+  Segmentation segment_clicked(Growth growth);
   std::optional<Segmentation> segment_square();
   Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);

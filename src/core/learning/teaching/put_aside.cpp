@@ -12,7 +12,6 @@
 #include "learning/change/departures.hpp"
 #include "learning/change/survey_size.hpp"
 #include "learning/segmentation/map_measures.hpp"
-#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
 

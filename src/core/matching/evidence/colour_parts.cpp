@@ -128,7 +128,7 @@ ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
     const std::size_t count = std::min(kMost, beside.size());
     for (std::size_t k = 0; k < count; ++k)
       nearby_contour_points_.push_back(beside[k * beside.size() / count]);
-    witnesses_end_.push_back(static_cast<int>(nearby_contour_points_.size()));
+    nearby_contour_points_end_.push_back(static_cast<int>(nearby_contour_points_.size()));
   }
 }
 
@@ -142,7 +142,7 @@ std::vector<float> ColourParts::weights_from_contour(
   int k = 0;
   for (std::size_t i = 0; i < colour_.size(); ++i) {
     float found = 0, seen = 0;
-    for (; k < witnesses_end_[i]; ++k) {
+    for (; k < nearby_contour_points_end_[i]; ++k) {
       const int at = nearby_contour_points_[k];
       seen += contour.seen[at];
       found += clear[at];

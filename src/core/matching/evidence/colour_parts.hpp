@@ -49,8 +49,9 @@ class ColourParts {
   std::vector<int> colour_;  ///< of each point: index of its part of uniform colour
   std::vector<int> block_;   ///< of each point: index of its block
   std::vector<int>
-      nearby_contour_points_;       ///< indices of contour points beside each point, concatenated
-  std::vector<int> witnesses_end_;  ///< of each point: end of its range in `nearby_contour_points_`
+      nearby_contour_points_;  ///< indices of contour points beside each point, concatenated
+  std::vector<int>
+      nearby_contour_points_end_;  ///< of each point: end of its range in `nearby_contour_points_`
 };
 
 }  // namespace mbncc::evidence

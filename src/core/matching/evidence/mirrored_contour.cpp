@@ -15,8 +15,8 @@ constexpr int kAlignmentSteps = 6;     // steps of 1 px to align the mirrored ou
 constexpr int kOwnAlignmentSteps = 2;  // ... and the object's own outline
 constexpr double kWorse = 0.2;  // difference in agreement that these steps cannot make up for
 constexpr double kSame = 3;     // [px] closer poses are duplicates
-constexpr double kMinDeficit =
-    0.006;  // [agreement] least deficit of a different outline in the lesson
+// [agreement] least deficit of a different outline in the lesson
+constexpr double kMinDeficit = 0.006;
 constexpr double kLeastLimit = 0.005;  // [agreement] lower bound of limit()
 
 templates::ContourTemplate mirrored(templates::ContourTemplate contour) {

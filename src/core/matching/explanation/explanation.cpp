@@ -11,7 +11,6 @@
 #include "matching/evidence/evidence.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/search/occupied_search.hpp"
-#include "matching/search/view_search.hpp"
 
 namespace mbncc {
 namespace {

@@ -12,11 +12,11 @@ namespace mbncc {
 namespace {
 
 // Limits of a certain symmetry.
-constexpr double kSureOutline = 0.03;    // [radii] depth of the outline's difference, ...
-constexpr double kMapEdgeError = 2;      // [px] ... at least the error of a map's edge, ...
-constexpr double kSmallWobble = 0.12;    // [radii] ... limited for small objects
-constexpr double kSureMark = 4.5;        // [grey levels] in addition to noise
-constexpr double kSamplingError = 0.06;  // of the texture: error of its edges by sampling
+constexpr double kSureOutline = 0.03;        // [radii] depth of the outline's difference, ...
+constexpr double kMapEdgeError = 2;          // [px] ... at least the error of a map's edge, ...
+constexpr double kSmallMapEdgeError = 0.12;  // [radii] ... limited for small objects
+constexpr double kSureMark = 4.5;            // [grey levels] in addition to noise
+constexpr double kSamplingError = 0.06;      // of the texture: error of its edges by sampling
 
 // Limits of a near symmetry.
 constexpr double kNearOverlap = 0.9;
@@ -64,9 +64,9 @@ class Measurement {
     // objects.
     const double overlap_tolerance = std::clamp(0.8 / radius, 0.03, 0.05);
     const double drawn = kSamplingError * surface_->texture();
-    const double wobble = std::min(kMapEdgeError, kSmallWobble * radius);
+    const double edge_error = std::min(kMapEdgeError, kSmallMapEdgeError * radius);
     return difference.overlap >= 1 - overlap_tolerance &&
-           difference.outline <= std::max(wobble, kSureOutline * radius) &&
+           difference.outline <= std::max(edge_error, kSureOutline * radius) &&
            difference.mark <= std::hypot(kSureMark, surface_->noise_of_mark(), drawn);
   }
 

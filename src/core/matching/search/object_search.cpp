@@ -22,12 +22,12 @@ cv::Rect anchor_region(const cv::Rect& roi, const prepared::PreparedView& view, 
 std::vector<decision::Detection> search_views(const prepared::PreparedObject& object,
                                               const scene::SceneImage& scene, const cv::Rect& roi,
                                               SearchMode mode) {
-  const bool gated = mode == SearchMode::kColourPrefiltered;
+  const bool prefiltered = mode == SearchMode::kColourPrefiltered;
   std::vector<decision::Detection> found;
   for (const auto& view : object.views) {
-    const auto detections =
-        search_view(object, view, scene, anchor_region(roi, view, scene.size()), mode,
-                    gated ? view.colour_prefilter.places(scene.classes()) : proposal::SearchMask{});
+    const auto detections = search_view(
+        object, view, scene, anchor_region(roi, view, scene.size()), mode,
+        prefiltered ? view.colour_prefilter.places(scene.classes()) : proposal::SearchMask{});
     std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
                  [&](const decision::Detection& detection) {
                    return decision::reference_within(detection, roi);

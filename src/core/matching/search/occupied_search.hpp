@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Searches an object at the places of other objects.
+// Searches for an object at the places of other objects.
 #pragma once
 
 #include <opencv2/core.hpp>

@@ -11,8 +11,8 @@ namespace mbncc::search {
 namespace {
 
 constexpr std::size_t kMostAligned = 8;
-constexpr double kAlignmentMargin =
-    8;  // log-odds behind the best from which on poses are not aligned
+// Log-odds behind the best from which on poses are not aligned
+constexpr double kAlignmentMargin = 8;
 
 bool same_pose(const Pose2D& a, const Pose2D& b, double radius) {
   constexpr double kSame = 0.25;  // [px]
