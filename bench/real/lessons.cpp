@@ -28,9 +28,9 @@ namespace fs = std::filesystem;
 
 constexpr const char* kOptions =
     "{@set       |        | folders that hold cases at any depth, comma separated }"
-    "{by         | region | how the object is shown: region, none, click (with the image after);"
+    "{by         | region | how the object is marked: region, none, click (with the image after);"
     " point (a click without it); region<percent>, box<percent> (with and without it; the true "
-    "bounding box made so much larger); hand (the true map) }"
+    "bounding box enlarged by so much); hand (the true map) }"
     "{method     | auto   | of learn_object; otsu, otsu_grabcut and opencv_grabcut: baselines }"
     "{half       |        | only sources of this half (SOURCE.json): tune or report; empty: all }"
     "{out        |        | folder for cases.csv and the maps }"

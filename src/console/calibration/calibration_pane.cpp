@@ -35,7 +35,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       result_text_(new QLabel),
       compute_(make_button("Comp&ute", "From the images recorded so far", "Alt+U")),
       keep_(make_button("&Keep", "The camera uses this calibration from now on", "Alt+K")),
-      anew_(make_button("&Start anew", "Discard the recorded images", "Alt+S")),
+      start_over_(make_button("&Start over", "Discard the recorded images", "Alt+S")),
       platform_(
           make_button("Plat&form", "From the board that lies flat on the platform", "Alt+F")) {
   square_->setRange(0.5, 500);
@@ -57,7 +57,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   auto* buttons = new QGridLayout;
   buttons->addWidget(compute_, 0, 0);
   buttons->addWidget(keep_, 0, 1);
-  buttons->addWidget(anew_, 1, 0);
+  buttons->addWidget(start_over_, 1, 0);
   buttons->addWidget(platform_, 1, 1);
   buttons->addWidget(close, 2, 0, 1, 2);
   auto* all = new QVBoxLayout(this);
@@ -69,11 +69,11 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   all->addWidget(coverage_, 1);
   all->addLayout(buttons);
   for (auto* box : {columns_, rows_})
-    connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, &CalibrationPane::start_anew);
+    connect(box, QOverload<int>::of(&QSpinBox::valueChanged), this, &CalibrationPane::start_over);
   connect(square_, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this,
-          &CalibrationPane::start_anew);
+          &CalibrationPane::start_over);
   connect(compute_, &QPushButton::clicked, this, &CalibrationPane::compute);
-  connect(anew_, &QPushButton::clicked, this, &CalibrationPane::start_anew);
+  connect(start_over_, &QPushButton::clicked, this, &CalibrationPane::start_over);
   connect(keep_, &QPushButton::clicked, this, [this] { Q_EMIT keep_wanted(result_.info); });
   connect(platform_, &QPushButton::clicked, this, &CalibrationPane::platform_wanted);
   connect(&platform_calibration_, &PlatformCalibration::ended, this,
@@ -84,14 +84,14 @@ CalibrationPane::CalibrationPane(QWidget* parent)
 void CalibrationPane::begin() {
   check_ = ImageCheck();
   size_ = QSize();
-  start_anew();
+  start_over();
 }
 
 Board CalibrationPane::board() const {
   return {columns_->value(), rows_->value(), square_->value() / 1000};
 }
 
-void CalibrationPane::start_anew() {
+void CalibrationPane::start_over() {
   calibration_ = BoardCalibration(board(), {size_.width(), size_.height()});
   marks_.clear();
   coverage_->show_coverage(calibration_);
@@ -105,7 +105,7 @@ std::vector<Mark> CalibrationPane::take(const QImage& image, QSize size) {
   since_look_.start();
   if (size != size_) {
     size_ = size;
-    start_anew();
+    start_over();
   }
   const QImage rgb = image.convertToFormat(QImage::Format_RGB888);
   const cv::Mat pixels(rgb.height(), rgb.width(), CV_8UC3, const_cast<uchar*>(rgb.bits()),

@@ -41,7 +41,7 @@ class CalibrationPane : public QWidget {
 
  private:
   Board board() const;
-  void start_anew();
+  void start_over();
   void compute();
   void show_platform(bool success, const QString& message);
 
@@ -56,7 +56,7 @@ class CalibrationPane : public QWidget {
   QDoubleSpinBox* square_;
   CoverageView* coverage_;
   QLabel *image_text_, *board_text_, *result_text_;
-  QPushButton *compute_, *keep_, *anew_, *platform_;
+  QPushButton *compute_, *keep_, *start_over_, *platform_;
 };
 
 }  // namespace mbncc::console

@@ -85,7 +85,7 @@ class ImageTest(unittest.TestCase):
         self.report.wait_until_says("OLD IMAGE: nothing has arrived for")
         Boards().show_all()
         self.report.wait_until_says("15 of 16 fields, 12 boards")
-        self.mouse.click("Start anew")
+        self.mouse.click("Start over")
         self.report.wait_until_silent("15 of 16 fields, 12 boards")
 
 

@@ -50,7 +50,7 @@ def main():
             master, server = start_master(env)
             since = time.monotonic()
             wait_for(lambda: {"/image_raw", "/detected_objects"} <= set(published(server)) and
-                     "/find_objects" in services(server), nodelets[0], "registration anew")
+                     "/find_objects" in services(server), nodelets[0], "new registration")
             hear("/image_raw", env)
             hear("/detected_objects", env)
             print("heard again after %.1f s" % (time.monotonic() - since))
