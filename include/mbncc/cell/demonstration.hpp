@@ -50,8 +50,10 @@ class Demonstration {
   /// Why the scene before was last replaced; kPutDown after continue_waiting().
   RestartReason restart_reason() const { return restart_reason_; }
 
-  const StillShot& before() const { return before_; }  ///< valid once update() returned kWaitRemoval
-  const StillShot& after() const { return after_; }    ///< valid once update() returned kReady
+  /// Valid once update() has returned kWaitRemoval.
+  const StillShot& before() const { return before_; }
+  /// Valid once update() has returned kReady.
+  const StillShot& after() const { return after_; }
 
  private:
   Step judge(const StillShot& still);

@@ -85,12 +85,23 @@ TEST_F(LightChanged, LightFromAnotherSideNeedsAPlace) {
   refused_without_a_place_and_learned_with_one(platform);
 }
 
-TEST(ComparedImages, OfAPushedCameraAreRefused) {
-  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+/// A platform that is larger than the image, so that a moved camera shows other parts of it.
+cv::Mat wide_platform() {
+  return test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
+}
+
+/// The object on the part of `wide` that the camera shows before it moves.
+DrawnLesson lesson_on(const cv::Mat& wide) {
   DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
   cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
   drawn.scene.copyTo(scene, drawn.truth);
   drawn.lesson.before = test::exposed(scene, 11);
+  return drawn;
+}
+
+TEST(ComparedImages, OfAPushedCameraAreRefused) {
+  const cv::Mat wide = wide_platform();
+  DrawnLesson drawn = lesson_on(wide);
   drawn.lesson.after = test::exposed(wide(cv::Rect(65, 30, 320, 240)), 12);
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kChangeTooLarge);
   cv::Mat turned;
@@ -100,11 +111,8 @@ TEST(ComparedImages, OfAPushedCameraAreRefused) {
 }
 
 TEST(ComparedImages, MayDifferInExposureAndByASmallShift) {
-  const cv::Mat wide = test::texture({420, 340}, cv::Scalar(105, 115, 120), 14, 1);
-  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
-  cv::Mat scene = wide(cv::Rect(40, 40, 320, 240)).clone();
-  drawn.scene.copyTo(scene, drawn.truth);
-  drawn.lesson.before = test::exposed(scene, 11);
+  const cv::Mat wide = wide_platform();
+  DrawnLesson drawn = lesson_on(wide);
   drawn.lesson.after = test::exposed(wide(cv::Rect(43, 38, 320, 240)), 12, 1.15);
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_EQ(result.error, LearnError::kSuccess) << result.message;

@@ -12,8 +12,8 @@ constexpr double kSameAngle = to_radians(15);
 constexpr double kTrendFactor = 3;   // standard deviations of a significant trend
 constexpr double kStatedWeight = 2;  // weight of the stated variance, in images
 constexpr double kJumpFactor = 4;    // standard deviations of a significant jump
-constexpr double kMostVarianceRatio =
-    2;  // largest ratio of scatter to stated variance of a coordinate
+// Largest ratio of scatter to stated variance of a coordinate.
+constexpr double kMostVarianceRatio = 2;
 // [px], [px], [rad] Smaller motions are ignored, because the poses of noise-free images do not
 // scatter at all.
 const cv::Vec3d kLeastTrend(0.05, 0.05, to_radians(0.05));

@@ -14,7 +14,8 @@ namespace mbncc::scene {
 /// time. Thread-safe; the pool must outlive its scenes.
 class ScenePool {
  public:
-  /// A scene of `image`, in the memory of an unused scene if there is any. See SceneImage::set_image().
+  /// A scene of `image`, in the memory of an unused scene if there is any. See
+  /// SceneImage::set_image().
   std::shared_ptr<const SceneImage> prepare(const cv::Mat& image, int top_level);
 
  private:
