@@ -53,7 +53,7 @@ TEST(FaintChange, TheWholeObjectOfADimLessonIsLearned) {
   test::DrawnLesson drawn = test::draw_lesson();
   drawn.lesson.before = test::exposed(drawn.scene, 11, 0.4, 8);
   drawn.lesson.after = test::exposed(drawn.platform, 12, 0.4, 8);
-  const ChangeCut cut =
+  const ObjectCut cut =
       change_cut(drawn.lesson.before, drawn.lesson.after, drawn.lesson.region,
                  survey_change(drawn.lesson.before, drawn.lesson.after).changed, 2, 8);
   EXPECT_GT(test::iou(cut.map, drawn.truth), 0.85);

@@ -112,7 +112,7 @@ TEST(GradualLight, AShadowOfTheObjectsColourIsNoPartOfTheMap) {
   test::texture(kSize, cv::Scalar::all(100), 16, 4).copyTo(scene, truth);
   cv::GaussianBlur(scene, scene, {}, 0.7);
   const cv::Mat before = test::exposed(scene, 5), after = test::exposed(platform, 6);
-  const ChangeCut cut =
+  const ObjectCut cut =
       change_cut(before, after, region, survey_change(before, after).changed, 2, 8);
   EXPECT_GT(test::iou(cut.map, truth), 0.85);
 }

@@ -12,14 +12,14 @@ namespace {
 using test::draw_lesson;
 using test::DrawnLesson;
 
-ChangeCut cut(const Lesson& lesson) {
+ObjectCut cut(const Lesson& lesson) {
   return change_cut(lesson.before, lesson.after, lesson.region,
                     survey_change(lesson.before, lesson.after).changed, 2, 8);
 }
 
 TEST(ChangeCut, CutsTheObjectOut) {
   const DrawnLesson drawn = draw_lesson();
-  const ChangeCut result = cut(drawn.lesson);
+  const ObjectCut result = cut(drawn.lesson);
   EXPECT_GT(test::iou(result.map, drawn.truth), 0.93);
   EXPECT_EQ(result.evidence.region_touch, 0);
   EXPECT_LT(result.evidence.change_outside, 0.05);
@@ -75,7 +75,7 @@ TEST(ChangeCut, AGreyObjectOnAGreyPlatformIsNoShadow) {
     scene.setTo(cv::Scalar::all(light * 60), drawn.truth);
     drawn.lesson.before = test::exposed(scene, 11);
     drawn.lesson.after = test::exposed(drawn.platform, 12);
-    const ChangeCut result = cut(drawn.lesson);
+    const ObjectCut result = cut(drawn.lesson);
     EXPECT_GT(test::iou(result.map, drawn.truth), 0.9) << light;
     EXPECT_TRUE(result.evidence.shadow_like) << light;
   }
@@ -119,11 +119,11 @@ TEST(ChangeCut, AThinFaintHookIsKept) {
 // A correction of the map must not worsen the verdict.
 TEST(ChangeCut, StrokesImproveTheEvidence) {
   const DrawnLesson drawn = draw_faint_hook();
-  const ChangeCut first = cut(drawn.lesson);
+  const ObjectCut first = cut(drawn.lesson);
   cv::Mat beside, include = drawn.truth.clone();
   cv::dilate(drawn.truth, beside, cv::Mat::ones(15, 15, CV_8U));
   include.colRange(120, include.cols).setTo(0);
-  const ChangeCut mended = first.cut_again(include, beside & ~drawn.truth);
+  const ObjectCut mended = first.cut_again(include, beside & ~drawn.truth);
   EXPECT_GT(test::iou(mended.map, drawn.truth), test::iou(first.map, drawn.truth));
   EXPECT_GT(mended.evidence.stability, first.evidence.stability);
   EXPECT_GT(mended.evidence.boundary_contrast, first.evidence.boundary_contrast);
@@ -158,7 +158,7 @@ TEST(ChangeCut, TheNewPlaceIsNotPartOfTheMap) {
   test::texture({320, 240}, cv::Scalar(60, 90, 190), 22, 2).copyTo(scene, elsewhere);
   drawn.lesson.after = test::exposed(scene, 12);
   drawn.lesson.region = cv::Rect(20, 40, 270, 140);
-  const ChangeCut result = cut(drawn.lesson);
+  const ObjectCut result = cut(drawn.lesson);
   EXPECT_GT(test::iou(result.map, drawn.truth), 0.9);
 }
 

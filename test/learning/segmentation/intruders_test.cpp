@@ -16,7 +16,7 @@ namespace {
 struct Intrusion {
   test::DrawnLesson drawn = test::draw_lesson();
   cv::Mat place = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);
-  ChangeCut cut;
+  ObjectCut cut;
 
   explicit Intrusion(const std::vector<cv::Rect>& places) {
     for (const auto& part : places) place(part).setTo(255);
@@ -106,7 +106,7 @@ TEST(Intruders, ComeFromBeyondTheBorder) {
 TEST(Intruders, AnObjectThatExceedsTheRegionIsNoIntruder) {
   test::DrawnLesson drawn = test::draw_lesson();
   drawn.lesson.region = cv::Rect(100, 60, 70, 84);
-  const ChangeCut cut =
+  const ObjectCut cut =
       change_cut(drawn.lesson.before, drawn.lesson.after, drawn.lesson.region,
                  survey_change(drawn.lesson.before, drawn.lesson.after).changed, 2, 8);
   cv::Mat inside = cv::Mat::zeros(drawn.truth.size(), CV_8UC1);

@@ -9,7 +9,7 @@
 #include "learning/likelihood/predicted_platform.hpp"
 #include "learning/likelihood/rim_preference.hpp"
 #include "learning/teaching/segmenter.hpp"
-#include "mbncc/learning/change_cut.hpp"
+#include "mbncc/learning/region_cut.hpp"
 
 namespace mbncc {
 namespace {
@@ -60,25 +60,25 @@ TEST(PredictedPlatform, FollowsTheLightAndExcludesNeighbours) {
 TEST(RegionCut, CutsAPlainObjectOnAPlainTable) {
   for (const cv::Scalar& colour : {cv::Scalar(40, 40, 200), cv::Scalar(30, 30, 30),
                                    cv::Scalar(250, 250, 250), cv::Scalar(120, 160, 190)}) {
-    const ChangeCut cut = region_cut(scene(colour), kRegion, 2);
+    const ObjectCut cut = region_cut(scene(colour), kRegion, 2);
     EXPECT_GT(test::iou(cut.map, truth()), 0.95) << colour;
   }
 }
 
 TEST(RegionCut, IsNoLargerForALargerRegion) {
-  const ChangeCut cut = region_cut(scene({40, 40, 200}), {20, 20, 150, 125}, 2);
+  const ObjectCut cut = region_cut(scene({40, 40, 200}), {20, 20, 150, 125}, 2);
   EXPECT_GT(test::iou(cut.map, truth()), 0.95);
 }
 
 TEST(RegionCut, IsEmptyForAnEmptyTable) {
-  const ChangeCut cut = region_cut(test::exposed(table(), 4), kRegion, 2);
+  const ObjectCut cut = region_cut(test::exposed(table(), 4), kRegion, 2);
   EXPECT_EQ(cv::countNonZero(cut.map), 0);
   EXPECT_EQ(cut.evidence.region_span, 0);
 }
 
 TEST(RegionCut, WorksWithoutARing) {
   const cv::Mat image = scene({40, 40, 200});
-  const ChangeCut cut = region_cut(image, {0, 0, kSize.width, kSize.height}, 2);
+  const ObjectCut cut = region_cut(image, {0, 0, kSize.width, kSize.height}, 2);
   EXPECT_EQ(cut.map.size(), image.size());
 }
 

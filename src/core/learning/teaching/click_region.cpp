@@ -7,7 +7,7 @@
 
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/teaching/lesson_progress.hpp"
-#include "mbncc/learning/change_cut.hpp"
+#include "mbncc/learning/region_cut.hpp"
 
 namespace mbncc::teaching {
 namespace {
@@ -55,7 +55,7 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point
   std::vector<Candidate> candidates;
   const double largest = kLargestPart * std::min(image.cols, image.rows);
   for (const cv::Rect& region : squares_about(click, largest, {{0, 0}, image.size()})) {
-    const ChangeCut cut = region_cut(image, region, iterations);
+    const ObjectCut cut = region_cut(image, region, iterations);
     const cv::Mat piece = piece_at(cut.map, click);
     const int area = cv::countNonZero(piece);
     if (area > 0)

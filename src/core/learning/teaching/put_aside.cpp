@@ -88,7 +88,7 @@ class PutAsideSearch {
     matcher_.set_objects({centred}, true);
   }
 
-  std::optional<NewPlace> find(const cv::Mat& after, const cv::Rect& place, const ChangeCut& cut) {
+  std::optional<NewPlace> find(const cv::Mat& after, const cv::Rect& place, const ObjectCut& cut) {
     SearchRequest request;
     request.roi = place;
     request.max_instances = 3;
@@ -126,7 +126,7 @@ class PutAsideSearch {
 std::optional<NewPlace> find_after_cut(const cv::Rect& place, const SegmentationTask& task,
                                        const cv::Mat& changed, const LearningConfig& config,
                                        PutAsideSearch& put_aside) {
-  const ChangeCut cut =
+  const ObjectCut cut =
       change_cut(task.after, task.before, place, changed, config.iterations, config.max_shift);
   return cut.cut_with ? put_aside.find(task.after, place, cut) : std::nullopt;
 }

@@ -9,6 +9,7 @@
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/learning/change_cut.hpp"
+#include "mbncc/learning/region_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
 
 namespace mbncc::teaching {
@@ -93,7 +94,7 @@ Segmentation by_grabcut_mask(const SegmentationTask& task, const LearningConfig&
                     task);
 }
 
-Segmentation segmentation_of(const ChangeCut& cut) {
+Segmentation segmentation_of(const ObjectCut& cut) {
   Segmentation result{cut.map, cut.evidence, {}, {}};
   if (!cut.cut_again) return result;
   result.cut_again = [cut](const Marks& marks) {
@@ -153,7 +154,7 @@ Segmentation by_change_cut(const SegmentationTask& task, const LearningConfig& c
                            LessonProgress& progress) {
   if (task.after.empty())
     throw LessonEnded(LearnError::kNoImage, "The method change_cut needs an image after.");
-  const ChangeCut cut =
+  const ObjectCut cut =
       change_cut(task.before, task.after, task.region, task.changed, config.iterations,
                  config.max_shift, report_cuts(config, progress));
   return segmentation_of(cut);

@@ -33,7 +33,7 @@ struct Segmentation {
   std::optional<CutEvidence> evidence;  ///< reliability measures of the cut, if available
   /// A further cut with strokes of the image's size as constraints; none if the map was given.
   std::function<Segmentation(const Marks& marks)> cut_again;
-  /// A further cut that adds another view's log-odds per pixel, as in ChangeCut; none for other
+  /// A further cut that adds another view's log-odds per pixel, as in ObjectCut; none for other
   /// methods.
   std::function<Segmentation(const cv::Mat& preference)> cut_with;
 };
