@@ -114,7 +114,7 @@ class Session:
 
     def logs(self):
         """The last lines that every program wrote."""
-        return "\n".join("%s:\n%s" % (log.name, "\n".join(log.read_text(errors="replace").splitlines()[-15:]))
+        return "\n".join("%s:\n%s" % (log.name, "\n".join(log.read_text(errors="replace").splitlines()[-40:]))
                          for log in sorted(self.folder.glob("*.log")))
 
 
