@@ -26,6 +26,26 @@ TEST(Click, PicksTheChangeUnderIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
 }
 
+// The inside of a dark ring has the platform's colour, but the operator clicked on it.
+TEST(Click, FillsTheHoleAroundIt) {
+  const cv::Size size(320, 200);
+  auto drawn = draw_lesson({160, 100}, size);
+  cv::Mat scene = drawn.platform.clone(), truth = cv::Mat::zeros(size, CV_8UC1);
+  cv::circle(scene, {160, 100}, 45, cv::Scalar(30, 30, 30), cv::FILLED);
+  cv::circle(truth, {160, 100}, 45, cv::Scalar(255), cv::FILLED);
+  cv::Mat inside = cv::Mat::zeros(size, CV_8UC1);
+  cv::circle(inside, {160, 100}, 30, cv::Scalar(255), cv::FILLED);
+  drawn.platform.copyTo(scene, inside);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.region = {};
+  drawn.lesson.click = cv::Point2d(160, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth), 0.9);
+  drawn.lesson.click = cv::Point2d(197, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth & ~inside), 0.9) << "on the ring";
+  drawn.lesson.click = cv::Point2d(182, 100);
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth & ~inside), 0.9) << "missed it by little";
+}
+
 // Two neighbours that nearly touch were taken away together; the click selects one of them.
 TEST(Click, SelectsOneOfTwoRemovedNeighbours) {
   const cv::Size size(320, 200);

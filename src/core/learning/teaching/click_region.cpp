@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "imaging/rectangles.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/teaching/lesson_progress.hpp"
 #include "mbncc/learning/region_cut.hpp"
@@ -19,7 +20,7 @@ constexpr double kSameArea = 1.25;    // factor up to which the maps of two squa
 constexpr double kAgreement = 0.1;    // weight of one more agreeing square, relative to clarity
 constexpr double kEnoughSquares = 6;  // squares that agree on most correct and few wrong maps
 constexpr int kGap = 9;               // [px] pieces nearer than this are joined
-constexpr double kMissed = 15;        // [px] largest distance of a click to its patch
+constexpr double kMissed = 15;        // [px] largest distance of a click to its piece
 
 struct Candidate {
   cv::Rect region;
@@ -34,6 +35,38 @@ int agreeing(const Candidate& one, const std::vector<Candidate>& candidates) {
       std::count_if(candidates.begin(), candidates.end(), [&](const Candidate& other) {
         return std::max(one.area, other.area) < kSameArea * std::min(one.area, other.area);
       }));
+}
+
+// Label of the piece nearest to the click; 0 if none is near enough.
+int label_near(const cv::Mat& labels, const cv::Point2d& click) {
+  double nearest = kMissed;
+  int chosen = 0;
+  for (int y = 0; y < labels.rows; ++y)
+    for (int x = 0; x < labels.cols; ++x) {
+      const double distance = std::hypot(x - click.x, y - click.y);
+      if (labels.at<int>(y, x) == 0 || distance >= nearest) continue;
+      nearest = distance;
+      chosen = labels.at<int>(y, x);
+    }
+  return chosen;
+}
+
+cv::Mat labels_of(const cv::Mat& mask) {
+  cv::Mat labels;
+  cv::connectedComponents(mask, labels, 8, CV_32S);
+  return labels;
+}
+
+cv::Mat piece(const cv::Mat& labels, int label) {
+  return label == 0 ? cv::Mat::zeros(labels.size(), CV_8UC1) : cv::Mat(labels == label);
+}
+
+// Label of the piece that encloses `hole`; 0 if that is empty.
+int label_around(const cv::Mat& hole, const cv::Mat& labels) {
+  const cv::Rect box = cv::boundingRect(hole);
+  for (int x = box.x; x < box.br().x; ++x)
+    if (hole.at<uchar>(box.y, x)) return labels.at<int>(box.y - 1, x);
+  return 0;
 }
 
 }  // namespace
@@ -56,11 +89,12 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point
   const double largest = kLargestPart * std::min(image.cols, image.rows);
   for (const cv::Rect& region : squares_about(click, largest, {{0, 0}, image.size()})) {
     const ObjectCut cut = region_cut(image, region, iterations);
-    const cv::Mat piece = piece_at(cut.map, click);
-    const int area = cv::countNonZero(piece);
+    // One image cannot tell an object from what encloses it.
+    const cv::Mat labels = labels_of(cut.map), map = piece(labels, label_near(labels, click));
+    const int area = cv::countNonZero(map);
     if (area > 0)
       candidates.push_back(
-          {region, piece(region).clone(), area, segmentation::edge_clarity(cut.evidence)});
+          {region, map(region).clone(), area, segmentation::edge_clarity(cut.evidence)});
   }
   const auto worth = [&](const Candidate& one) {
     return one.clarity + kAgreement * agreeing(one, candidates);
@@ -76,19 +110,25 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point
 }
 
 cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click) {
-  cv::Mat labels;
-  cv::connectedComponents(mask, labels, 8, CV_32S);
-  double nearest = kMissed;
-  int chosen = 0;
-  for (int y = 0; y < labels.rows; ++y)
-    for (int x = 0; x < labels.cols; ++x) {
-      const double distance = std::hypot(x - click.x, y - click.y);
-      if (labels.at<int>(y, x) == 0 || distance >= nearest) continue;
-      nearest = distance;
-      chosen = labels.at<int>(y, x);
-    }
-  if (chosen == 0) return cv::Mat::zeros(mask.size(), CV_8UC1);
-  return labels == chosen;
+  const cv::Mat labels = labels_of(mask);
+  const int near = label_near(labels, click);
+  return piece(labels, near != 0 ? near : label_around(hole_at(mask, click), labels));
+}
+
+cv::Mat hole_at(const cv::Mat& mask, const cv::Point2d& click) {
+  cv::Mat beside = cv::Mat::zeros(mask.size(), CV_8UC1);
+  const cv::Point at(cvFloor(click.x), cvFloor(click.y));
+  cv::circle(beside, at, static_cast<int>(kMissed), cv::Scalar(255), cv::FILLED);
+  if (cv::countNonZero(beside & mask) > 0) return cv::Mat::zeros(mask.size(), CV_8UC1);
+  cv::Mat labels, stats, centres;
+  cv::connectedComponentsWithStats(~mask, labels, stats, centres, 4, CV_32S);
+  const int hole = labels.at<int>(at);
+  const cv::Rect box(stats.at<int>(hole, cv::CC_STAT_LEFT), stats.at<int>(hole, cv::CC_STAT_TOP),
+                     stats.at<int>(hole, cv::CC_STAT_WIDTH),
+                     stats.at<int>(hole, cv::CC_STAT_HEIGHT));
+  if (imaging::grown(box, 1) != (imaging::grown(box, 1) & cv::Rect({0, 0}, mask.size())))
+    return cv::Mat::zeros(mask.size(), CV_8UC1);
+  return labels == hole;
 }
 
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click) {

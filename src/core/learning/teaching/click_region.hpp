@@ -25,9 +25,13 @@ struct ClickedRegion {
 std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point2d& click,
                                            int iterations);
 
-/// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else on the nearest one; all 0
-/// if none lies within 15 pixels.
+/// 255 on the connected piece of `mask` (CV_8UC1) at the click, or else on the nearest one within
+/// 15 pixels, or else on the one that encloses it; all 0 if there is none.
 cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
+
+/// 255 on the enclosed hole of `mask` (CV_8UC1) that contains the click, which lies in the image;
+/// all 0 if there is none, or `mask` has pixels within 15 pixels, because clicks may miss by that.
+cv::Mat hole_at(const cv::Mat& mask, const cv::Point2d& click);
 
 /// piece_at() of `changed` (CV_8UC1), with pieces less than 9 pixels apart joined.
 cv::Mat change_at_click(const cv::Mat& changed, const cv::Point2d& click);

@@ -131,7 +131,7 @@ Segmentation MapCutter::segment_clicked_piece() {
 Segmentation MapCutter::segment_clicked(Growth growth) {
   if (task_.after.empty()) return segment_clicked_piece();
   try {
-    const Segmentation found = clicked(segment_region(growth));
+    const Segmentation found = with_clicked_hole(clicked(segment_region(growth)));
     return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
   } catch (const LessonEnded& ended) {
     if (ended.error() == LearnError::kCancelled) throw;
@@ -168,6 +168,14 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   alone.map = piece_at(alone.map, *lesson_.click);
   check_map(alone.map, task_.region);
   return alone;
+}
+
+// A click is a point on the object. Where the object has the platform's colour there, its rim alone
+// is cut out, so the hole is included like a stroke.
+Segmentation MapCutter::with_clicked_hole(const Segmentation& found) {
+  const cv::Mat hole = hole_at(found.map, *lesson_.click);
+  if (cv::countNonZero(hole) == 0) return found;
+  return cut_again(found, {hole, cv::Mat::zeros(hole.size(), CV_8UC1)});
 }
 
 std::optional<Segmentation> MapCutter::segment_if_possible(Growth growth) {

@@ -60,6 +60,7 @@ class MapCutter {
   std::optional<Segmentation> segment_square();
   Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);
+  Segmentation with_clicked_hole(const Segmentation& found);
   cv::Rect widest_region() const;
   cv::Rect wider_region() const;
 
