@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "learning/images.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 #include "mbncc/learning/learn_object.hpp"
 
 namespace mbncc {
@@ -26,24 +27,48 @@ TEST(Click, PicksTheChangeUnderIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), other), 0.9);
 }
 
-// The inside of a dark ring has the platform's colour, but the operator clicked on it.
+// A dark ring whose inside has the platform's colour.
+struct Ring {
+  Ring() {
+    const cv::Size size(320, 200);
+    auto drawn = draw_lesson(kCentre, size);
+    cv::Mat scene = drawn.platform.clone();
+    disc = cv::Mat::zeros(size, CV_8UC1);
+    cv::Mat inside = disc.clone();
+    cv::circle(disc, kCentre, 45, cv::Scalar(255), cv::FILLED);
+    cv::circle(inside, kCentre, 30, cv::Scalar(255), cv::FILLED);
+    ring = disc & ~inside;
+    scene.setTo(cv::Scalar(30, 30, 30), ring);
+    lesson = drawn.lesson;
+    lesson.before = test::exposed(scene, 11);
+    lesson.region = {};
+    lesson.click = kCentre;
+  }
+
+  static inline const cv::Point kCentre{160, 100};
+  Lesson lesson;
+  cv::Mat disc, ring;
+};
+
 TEST(Click, FillsTheHoleAroundIt) {
-  const cv::Size size(320, 200);
-  auto drawn = draw_lesson({160, 100}, size);
-  cv::Mat scene = drawn.platform.clone(), truth = cv::Mat::zeros(size, CV_8UC1);
-  cv::circle(scene, {160, 100}, 45, cv::Scalar(30, 30, 30), cv::FILLED);
-  cv::circle(truth, {160, 100}, 45, cv::Scalar(255), cv::FILLED);
-  cv::Mat inside = cv::Mat::zeros(size, CV_8UC1);
-  cv::circle(inside, {160, 100}, 30, cv::Scalar(255), cv::FILLED);
-  drawn.platform.copyTo(scene, inside);
-  drawn.lesson.before = test::exposed(scene, 11);
-  drawn.lesson.region = {};
-  drawn.lesson.click = cv::Point2d(160, 100);
-  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth), 0.9);
+  Ring drawn;
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.disc), 0.9);
   drawn.lesson.click = cv::Point2d(197, 100);
-  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth & ~inside), 0.9) << "on the ring";
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.ring), 0.9) << "on the ring";
   drawn.lesson.click = cv::Point2d(182, 100);
-  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), truth & ~inside), 0.9) << "missed it by little";
+  EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.ring), 0.9) << "missed it by little";
+}
+
+TEST(Click, AStrokeOpensAFilledHole) {
+  const Ring drawn;
+  InteractiveLesson edited(drawn.lesson);
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{190, 100}, {198, 100}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.disc), 0.9) << "still filled";
+  edit.include.clear();
+  edit.exclude = {{{150, 100}, {170, 100}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.ring), 0.9);
 }
 
 // Two neighbours that nearly touch were taken away together; the click selects one of them.

@@ -171,11 +171,17 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
 }
 
 // A click is a point on the object. Where the object has the platform's colour there, its rim alone
-// is cut out, so the hole is included like a stroke.
+// is cut out, so the hole is included like a stroke, until a stroke excludes a part of it.
 Segmentation MapCutter::with_clicked_hole(const Segmentation& found) {
   const cv::Mat hole = hole_at(found.map, *lesson_.click);
   if (cv::countNonZero(hole) == 0) return found;
-  return cut_again(found, {hole, cv::Mat::zeros(hole.size(), CV_8UC1)});
+  Segmentation filled = cut_again(found, {hole, cv::Mat::zeros(hole.size(), CV_8UC1)});
+  if (!found.cut_again) return filled;
+  filled.cut_again = [hole, open = found.cut_again](const Marks& marks) {
+    if (cv::countNonZero(marks.exclude & hole) > 0) return open(marks);
+    return open({marks.include | hole, marks.exclude});
+  };
+  return filled;
 }
 
 std::optional<Segmentation> MapCutter::segment_if_possible(Growth growth) {
