@@ -127,11 +127,15 @@ Segmentation MapCutter::segment_clicked_piece() {
   return found;
 }
 
-// Where the platform changed as well, the change around a click contains more than the object.
 Segmentation MapCutter::segment_clicked(Growth growth) {
   if (task_.after.empty()) return segment_clicked_piece();
+  return with_clicked_hole(segment_clicked_change(growth));
+}
+
+// Where the platform changed as well, the change around a click contains more than the object.
+Segmentation MapCutter::segment_clicked_change(Growth growth) {
   try {
-    const Segmentation found = with_clicked_hole(clicked(segment_region(growth)));
+    const Segmentation found = clicked(segment_region(growth));
     return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
   } catch (const LessonEnded& ended) {
     if (ended.error() == LearnError::kCancelled) throw;

@@ -57,6 +57,7 @@ class MapCutter {
   Segmentation checked(const Segmentation& found);
   Segmentation segment_region(Growth growth);
   Segmentation segment_clicked(Growth growth);
+  Segmentation segment_clicked_change(Growth growth);
   std::optional<Segmentation> segment_square();
   Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);
