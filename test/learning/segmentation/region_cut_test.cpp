@@ -144,5 +144,13 @@ TEST(OneImage, StabilityIsTheAgreementOfTheTwoCuts) {
   EXPECT_LT(cut_of(scene_on_squares(20), kRegion).evidence->stability, 0.8);
 }
 
+TEST(OneImage, AStrokeDoesNotReplaceTheSecondImage) {
+  cv::Mat include = cv::Mat::zeros(kSize, CV_8UC1), exclude = include.clone();
+  include(cv::Rect(80, 70, 5, 5)).setTo(255);
+  const ObjectCut cut = region_cut(scene({40, 40, 200}), kRegion, 2);
+  EXPECT_FALSE(cut.evidence.verified);
+  EXPECT_FALSE(cut.cut_again(include, exclude).evidence.verified);
+}
+
 }  // namespace
 }  // namespace mbncc

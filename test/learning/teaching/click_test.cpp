@@ -2,6 +2,7 @@
 // The operator shows the object by a click on it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "learning/images.hpp"
@@ -29,18 +30,23 @@ TEST(Click, PicksTheChangeUnderIt) {
 
 // A dark ring whose inside has the platform's colour.
 struct Ring {
-  Ring() {
+  /// `light`: of the inside, relative to the platform; below 1, both are plain.
+  explicit Ring(double light = 1) {
     const cv::Size size(320, 200);
     auto drawn = draw_lesson(kCentre, size);
-    cv::Mat scene = drawn.platform.clone();
+    cv::Mat platform = drawn.platform;
+    if (light < 1) platform.setTo(cv::mean(platform));
+    cv::Mat scene = platform.clone();
     disc = cv::Mat::zeros(size, CV_8UC1);
     cv::Mat inside = disc.clone();
     cv::circle(disc, kCentre, 45, cv::Scalar(255), cv::FILLED);
     cv::circle(inside, kCentre, 30, cv::Scalar(255), cv::FILLED);
     ring = disc & ~inside;
+    if (light < 1) scene.setTo(light * cv::mean(platform), inside);
     scene.setTo(cv::Scalar(30, 30, 30), ring);
     lesson = drawn.lesson;
     lesson.before = test::exposed(scene, 11);
+    lesson.after = test::exposed(platform, 12);
     lesson.region = {};
     lesson.click = kCentre;
   }
@@ -57,6 +63,25 @@ TEST(Click, FillsTheHoleAroundIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.ring), 0.9) << "on the ring";
   drawn.lesson.click = cv::Point2d(182, 100);
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.ring), 0.9) << "missed it by little";
+}
+
+// The same object as a region teaches it: the operator is asked for the inside.
+TEST(Click, ARegionAroundADarkHoleAsksForAClick) {
+  Ring drawn(0.95);
+  drawn.lesson.region = cv::boundingRect(drawn.disc) + cv::Size(30, 30) - cv::Point(15, 15);
+  drawn.lesson.click.reset();
+  const auto asks = [](const LearnResult& result) {
+    const auto& reasons = result.object.quality.reasons;
+    return std::count(reasons.begin(), reasons.end(), "unconfirmed_hole") == 1;
+  };
+  const LearnResult open = learn_object(drawn.lesson);
+  EXPECT_GT(iou(map_of(open), drawn.ring), 0.9);
+  EXPECT_TRUE(asks(open));
+  EXPECT_EQ(open.object.quality.verdict, Verdict::kMarginal);
+  drawn.lesson.click = Ring::kCentre;
+  const LearnResult filled = learn_object(drawn.lesson);
+  EXPECT_GT(iou(map_of(filled), drawn.disc), 0.9);
+  EXPECT_FALSE(asks(filled));
 }
 
 TEST(Click, AStrokeOpensAFilledHole) {

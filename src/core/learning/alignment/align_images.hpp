@@ -12,6 +12,7 @@ struct AlignedPair {
   cv::Mat after;      ///< CV_32FC3, the window of `after` in the camera pose and light of `before`
   cv::Mat trusted;    ///< CV_8UC1, 255 on ring pixels that show unchanged platform
   cv::Point2d shift;  ///< [px] compensated camera shift
+  bool predicted = false;  ///< `after` was predicted from `before`
 };
 
 /// `before` and `after` are CV_8UC3 of one size, `region` lies inside them and contains the change.

@@ -109,6 +109,7 @@ alignment::AlignedPair predict_platform(const cv::Mat& before, const cv::Rect& r
   const int width =
       std::max(kLeastRing, static_cast<int>(kRingPart * std::max(region.width, region.height)));
   alignment::AlignedPair pair;
+  pair.predicted = true;
   pair.window = imaging::grown(region, width) & cv::Rect({0, 0}, before.size());
   before(pair.window).convertTo(pair.before, CV_32F);
   cv::Mat ring(pair.window.size(), CV_8UC1, cv::Scalar(255));

@@ -15,6 +15,7 @@ namespace {
 constexpr double kAlike = 0.7;
 constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
+constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its hole filled
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
 
 // Reasons against a lesson.
@@ -24,7 +25,7 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 17> kReasons{{
+constexpr std::array<Reason, 18> kReasons{{
     {"touches_image_border", "Move the object fully into view and teach again."},
     {"too_small", "Move the camera closer or use a higher resolution."},
     {"low_texture", "Turn the object's marked side up or improve the light."},
@@ -38,6 +39,9 @@ constexpr std::array<Reason, 17> kReasons{{
     {"change_left_out",
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
+    {"unconfirmed_hole",
+     "Click inside the hole if it belongs to the object: the platform is too plain there to show "
+     "whether it does."},
     {"several_left", "More than one object may have left: click on the one that is meant."},
     {"unstable_cut", "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary",
@@ -138,6 +142,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
   reasons.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
+  reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kNever);
   reasons.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)

@@ -17,6 +17,7 @@
 #include "learning/segmentation/graph_cut.hpp"
 #include "learning/segmentation/half_smoothness.hpp"
 #include "learning/segmentation/intruders.hpp"
+#include "learning/segmentation/unconfirmed_hole.hpp"
 
 namespace mbncc::segmentation {
 namespace {
@@ -49,6 +50,7 @@ Cutter::Cutter(const alignment::AlignedPair& pair, const cv::Rect& crop, const c
       crop_(crop),
       before_(pair.before(crop - pair.window.tl()).clone()),
       after_(pair.after(crop - pair.window.tl()).clone()),
+      verified_(!pair.predicted),
       inside_(cv::Mat::zeros(crop.size(), CV_8UC1)),
       noise_(likelihood::learn_noise(pair)),
       platform_(change::ColourMixture::fit(pair.before, pair.trusted)) {
@@ -147,6 +149,8 @@ CutEvidence Cutter::evidence() const {
                                        object_like_, kept_, intruders_, confirmed()},
                                       smoothness_, half_);
   evidence.shadow_like = shadow_like_;
+  evidence.verified = verified_;
+  if (verified_) evidence.unconfirmed_hole = unconfirmed_hole(map_, before_, after_, exclude_);
   return evidence;
 }
 

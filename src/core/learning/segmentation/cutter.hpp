@@ -84,7 +84,9 @@ class Cutter {
 
   cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
-  cv::Mat before_, after_, inside_;
+  cv::Mat before_, after_;
+  bool verified_;  // see CutEvidence
+  cv::Mat inside_;
   likelihood::NoiseModel noise_;
   change::ColourMixture platform_;
   likelihood::BackgroundLikelihood background_;

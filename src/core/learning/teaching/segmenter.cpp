@@ -52,6 +52,13 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(segmentation::clean_map(result), marks);
 }
 
+// Part of the map with its holes filled that is hole.
+double enclosed_part(const cv::Mat& map) {
+  cv::Mat filled = map.clone();
+  segmentation::fill_holes(filled, static_cast<int>(map.total()));
+  return 1 - cv::countNonZero(map) / std::max(1.0, static_cast<double>(cv::countNonZero(filled)));
+}
+
 // Completes `evidence` by the measures that need only the map.
 Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task) {
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
@@ -59,6 +66,7 @@ Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const Segmenta
   evidence.region_touch = segmentation::region_touch(map, inside);
   evidence.region_span = segmentation::region_span(map, inside);
   evidence.cut_off = std::min(evidence.cut_off, evidence.region_touch);
+  evidence.unconfirmed_hole = std::min(evidence.unconfirmed_hole, enclosed_part(map));
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     return {grabcut_again(map, marks, task), evidence, {}, {}};
   };
@@ -172,7 +180,6 @@ Segmentation region_cut_of(const SegmentationTask& task, int iterations,
                            const BeforeCut& before_cut) {
   Segmentation result =
       segmentation_of(region_cut(task.before, task.region, iterations, before_cut));
-  if (result.evidence) result.evidence->verified = false;
   result.cut_with = nullptr;
   return result;
 }

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "learning/segmentation/unconfirmed_hole.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+#include <vector>
+
+#include "learning/segmentation/clean_map.hpp"
+
+namespace mbncc::segmentation {
+namespace {
+
+constexpr int kRim = 7;               // [px] side of the ellipse that removes a hole's blurred rim
+constexpr int kFewestPixels = 30;     // of a hole without its rim; fewer show nothing
+constexpr double kSameLight = 0.04;   // largest relative difference of a mean colour
+constexpr double kTextureScale = 4;   // [px] standard deviation of the smoothing
+constexpr double kSameTexture = 0.4;  // least correlation of the texture
+
+// Differences of `image` from its smoothed copy; both only of the pixels of `weight` (CV_32FC1).
+cv::Mat texture(const cv::Mat& image, const cv::Mat& weight) {
+  cv::Mat weights, total, smooth, norm;
+  cv::merge(std::vector<cv::Mat>(3, weight), weights);
+  cv::GaussianBlur(image.mul(weights), total, cv::Size(), kTextureScale);
+  cv::GaussianBlur(weights, norm, cv::Size(), kTextureScale);
+  cv::divide(total, cv::max(norm, 1e-6), smooth);
+  return (image - smooth).mul(weights);
+}
+
+bool same_texture(const cv::Mat& before, const cv::Mat& after, const cv::Mat& hole) {
+  cv::Mat weight;
+  hole.convertTo(weight, CV_32F, 1 / 255.0);
+  const cv::Mat a = texture(before, weight), b = texture(after, weight);
+  return a.dot(b) > kSameTexture * std::sqrt(a.dot(a) * b.dot(b));
+}
+
+bool same_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& hole) {
+  const cv::Scalar a = cv::mean(before, hole), b = cv::mean(after, hole);
+  for (int channel = 0; channel < 3; ++channel)
+    if (std::abs(a[channel] - b[channel]) > kSameLight * b[channel]) return false;
+  return true;
+}
+
+bool shows_platform(const cv::Mat& before, const cv::Mat& after, const cv::Mat& hole) {
+  cv::Mat inner;
+  cv::erode(hole, inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kRim, kRim}), {-1, -1}, 1,
+            cv::BORDER_CONSTANT, cv::Scalar(0));
+  if (cv::countNonZero(inner) < kFewestPixels) return true;
+  return same_light(before, after, inner) || same_texture(before, after, inner);
+}
+
+}  // namespace
+
+double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after,
+                        const cv::Mat& excluded) {
+  cv::Mat filled = map.clone(), labels, stats, centres;
+  fill_holes(filled, static_cast<int>(map.total()));
+  const int count =
+      cv::connectedComponentsWithStats(filled & ~map, labels, stats, centres, 4, CV_32S);
+  const int area = cv::countNonZero(map);
+  double largest = 0;
+  for (int label = 1; label < count; ++label) {
+    const int hole_area = stats.at<int>(label, cv::CC_STAT_AREA);
+    const double part = hole_area / static_cast<double>(hole_area + area);
+    if (part <= largest) continue;
+    const cv::Rect box(
+        stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
+        stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT));
+    const cv::Mat hole = labels(box) == label;
+    if (!excluded.empty() && cv::countNonZero(hole & excluded(box)) > 0) continue;
+    if (!shows_platform(before(box), after(box), hole)) largest = part;
+  }
+  return largest;
+}
+
+}  // namespace mbncc::segmentation
