@@ -40,8 +40,8 @@ constexpr std::array<Reason, 18> kReasons{{
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
     {"unconfirmed_hole",
-     "Click inside the hole if it belongs to the object: the platform is too plain there to show "
-     "whether it does."},
+     "Teach it by a click inside the hole if the hole belongs to the object, or mark the hole as "
+     "platform by a stroke: the images do not show which."},
     {"several_left", "More than one object may have left: click on the one that is meant."},
     {"unstable_cut", "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary",
