@@ -13,8 +13,8 @@ struct CutEvidence {
       1;  ///< [0..1] extent of the map's box relative to the region's, in the worse direction
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double change_beside = 0;   ///< [map's area] area of certain change in the region outside the map
-  double unconfirmed_hole = 0;  ///< [0..1] largest hole that may belong to the object, relative to
-                                ///< the map with this hole filled; 0 for one image
+  double unconfirmed_hole = 0;  ///< [0..1] area of holes that may belong to the object, relative to
+                                ///< the map with these holes filled; 0 for one image
   double second_departure = 0;  ///< [0..1] for a lesson without a given place: evidence that a
                                 ///< second object left, relative to the first's
   double stability = 1;  ///< [0..1] least IoU with cuts of shifted log-odds; for one image: IoU

@@ -65,7 +65,7 @@ TEST(Click, FillsTheHoleAroundIt) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.ring), 0.9) << "missed it by little";
 }
 
-// The same object as a region teaches it: the operator is asked for the inside.
+// The same object as a region teaches it: the operator is asked about the inside.
 TEST(Click, ARegionAroundADarkHoleAsksForAClick) {
   Ring drawn(0.95);
   drawn.lesson.region = cv::boundingRect(drawn.disc) + cv::Size(30, 30) - cv::Point(15, 15);

@@ -15,7 +15,7 @@ namespace {
 constexpr double kAlike = 0.7;
 constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
-constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its hole filled
+constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its holes filled
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
 
 // Reasons against a lesson.
@@ -40,8 +40,8 @@ constexpr std::array<Reason, 18> kReasons{{
      "Check whether a part of the object is missing in the map, or something else moved beside "
      "it."},
     {"unconfirmed_hole",
-     "Teach it by a click inside the hole if the hole belongs to the object, or mark the hole as "
-     "platform by a stroke: the images do not show which."},
+     "Mark the hole by a stroke, as a part of the object or as platform: the images do not show "
+     "which."},
     {"several_left", "More than one object may have left: click on the one that is meant."},
     {"unstable_cut", "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary",

@@ -41,12 +41,12 @@ bool same_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& hole
   return true;
 }
 
-bool shows_platform(const cv::Mat& before, const cv::Mat& after, const cv::Mat& hole) {
+// Without the blurred rim.
+cv::Mat inner_pixels(const cv::Mat& hole) {
   cv::Mat inner;
   cv::erode(hole, inner, cv::getStructuringElement(cv::MORPH_ELLIPSE, {kRim, kRim}), {-1, -1}, 1,
             cv::BORDER_CONSTANT, cv::Scalar(0));
-  if (cv::countNonZero(inner) < kFewestPixels) return true;
-  return same_light(before, after, inner) || same_texture(before, after, inner);
+  return inner;
 }
 
 }  // namespace
@@ -57,20 +57,19 @@ double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat
   fill_holes(filled, static_cast<int>(map.total()));
   const int count =
       cv::connectedComponentsWithStats(filled & ~map, labels, stats, centres, 4, CV_32S);
-  const int area = cv::countNonZero(map);
-  double largest = 0;
+  double area = 0;
   for (int label = 1; label < count; ++label) {
-    const int hole_area = stats.at<int>(label, cv::CC_STAT_AREA);
-    const double part = hole_area / static_cast<double>(hole_area + area);
-    if (part <= largest) continue;
     const cv::Rect box(
         stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
         stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT));
-    const cv::Mat hole = labels(box) == label;
-    if (!excluded.empty() && cv::countNonZero(hole & excluded(box)) > 0) continue;
-    if (!shows_platform(before(box), after(box), hole)) largest = part;
+    const cv::Mat inner = inner_pixels(labels(box) == label);
+    if (cv::countNonZero(inner) < kFewestPixels) continue;
+    if (!excluded.empty() && cv::countNonZero(inner & excluded(box)) > 0) continue;
+    if (!same_light(before(box), after(box), inner) &&
+        !same_texture(before(box), after(box), inner))
+      area += stats.at<int>(label, cv::CC_STAT_AREA);
   }
-  return largest;
+  return area == 0 ? 0 : area / (area + cv::countNonZero(map));
 }
 
 }  // namespace mbncc::segmentation

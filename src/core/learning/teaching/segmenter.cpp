@@ -68,7 +68,10 @@ Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const Segmenta
   evidence.cut_off = std::min(evidence.cut_off, evidence.region_touch);
   evidence.unconfirmed_hole = std::min(evidence.unconfirmed_hole, enclosed_part(map));
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
-    return {grabcut_again(map, marks, task), evidence, {}, {}};
+    Segmentation again{grabcut_again(map, marks, task), evidence, {}, {}};
+    again.evidence->unconfirmed_hole =
+        std::min(evidence.unconfirmed_hole, enclosed_part(again.map | marks.exclude));
+    return again;
   };
   return {map, evidence, cut_again, {}};
 }
