@@ -50,10 +50,10 @@ Cutter::Cutter(const alignment::AlignedPair& pair, const cv::Rect& crop, const c
       crop_(crop),
       before_(pair.before(crop - pair.window.tl()).clone()),
       after_(pair.after(crop - pair.window.tl()).clone()),
-      verified_(!pair.predicted),
       inside_(cv::Mat::zeros(crop.size(), CV_8UC1)),
       noise_(likelihood::learn_noise(pair)),
-      platform_(change::ColourMixture::fit(pair.before, pair.trusted)) {
+      platform_(change::ColourMixture::fit(pair.before, pair.trusted)),
+      verified_(!pair.predicted) {
   inside_(region - crop.tl()).setTo(255);
 }
 

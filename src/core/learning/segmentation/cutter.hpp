@@ -84,15 +84,13 @@ class Cutter {
 
   cv::Rect window_;  // of the aligned pair
   cv::Rect crop_;
-  cv::Mat before_, after_;
-  bool verified_;  // see CutEvidence
-  cv::Mat inside_;
+  cv::Mat before_, after_, inside_;
   likelihood::NoiseModel noise_;
   change::ColourMixture platform_;
   likelihood::BackgroundLikelihood background_;
-  cv::Mat coloured_shadow_;       // CV_8UC1
-  bool shadow_like_ = false;      // see CutEvidence
-  Smoothness smoothness_, half_;  // half_: at half resolution
+  cv::Mat coloured_shadow_;              // CV_8UC1
+  bool verified_, shadow_like_ = false;  // see CutEvidence
+  Smoothness smoothness_, half_;         // half_: at half resolution
   cv::Mat unary_, coarse_, map_;
   cv::Mat object_like_;        // see FinishedCut
   cv::Mat intruders_;          // empty, or of the crop's size

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/segmentation/unconfirmed_hole.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
+#include "imaging/rectangles.hpp"
 #include "learning/segmentation/clean_map.hpp"
 
 namespace mbncc::segmentation {
@@ -59,9 +59,7 @@ double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat
       cv::connectedComponentsWithStats(filled & ~map, labels, stats, centres, 4, CV_32S);
   double area = 0;
   for (int label = 1; label < count; ++label) {
-    const cv::Rect box(
-        stats.at<int>(label, cv::CC_STAT_LEFT), stats.at<int>(label, cv::CC_STAT_TOP),
-        stats.at<int>(label, cv::CC_STAT_WIDTH), stats.at<int>(label, cv::CC_STAT_HEIGHT));
+    const cv::Rect box = imaging::box_of_component(stats, label);
     const cv::Mat inner = inner_pixels(labels(box) == label);
     if (cv::countNonZero(inner) < kFewestPixels) continue;
     if (!excluded.empty() && cv::countNonZero(inner & excluded(box)) > 0) continue;

@@ -123,9 +123,7 @@ cv::Mat hole_at(const cv::Mat& mask, const cv::Point2d& click) {
   cv::Mat labels, stats, centres;
   cv::connectedComponentsWithStats(~mask, labels, stats, centres, 4, CV_32S);
   const int hole = labels.at<int>(at);
-  const cv::Rect box(stats.at<int>(hole, cv::CC_STAT_LEFT), stats.at<int>(hole, cv::CC_STAT_TOP),
-                     stats.at<int>(hole, cv::CC_STAT_WIDTH),
-                     stats.at<int>(hole, cv::CC_STAT_HEIGHT));
+  const cv::Rect box = imaging::box_of_component(stats, hole);
   if (imaging::grown(box, 1) != (imaging::grown(box, 1) & cv::Rect({0, 0}, mask.size())))
     return cv::Mat::zeros(mask.size(), CV_8UC1);
   return labels == hole;
