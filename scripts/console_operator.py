@@ -27,13 +27,28 @@ class Mouse:
         return found[-1]
 
     @staticmethod
-    def size(window):
+    def place(window):
+        """Position on the display and size [px]."""
         words = xdotool("getwindowgeometry", "--shell", window)
         values = dict(word.split("=") for word in words if "=" in word)
-        return int(values["WIDTH"]), int(values["HEIGHT"])
+        return tuple(int(values.get(word, 0)) for word in ("X", "Y", "WIDTH", "HEIGHT"))
+
+    def size(self, window):
+        return self.place(window)[2:]
+
+    def resting_window(self, name):
+        """The window of a part that accepts clicks, once the layout no longer moves it."""
+        before = None
+
+        def look():
+            nonlocal before
+            window = self.window(name)
+            earlier, before = before, (window, self.place(window))
+            return window if before == earlier else None
+        return wait_for(look, "the console leaves '%s' in its place" % name)
 
     def click(self, name, at=None, button=1):
-        window = self.window(name)
+        window = self.resting_window(name)
         width, height = self.size(window)
         x, y = at or (width // 2, height // 2)
         xdotool("mousemove", "--window", window, x, y, "click", button)
@@ -57,8 +72,7 @@ class Mouse:
             self.press(key)
 
     def open_menu(self, name):
-        self.click(name)
-        self.window("menu of " + name)
+        self.click_until(name, lambda: self.sees("menu of " + name), "its menu is shown")
 
     @staticmethod
     def sees(name):
