@@ -31,16 +31,16 @@ TEST(Click, PicksTheChangeUnderIt) {
 // A dark ring whose inside has the platform's colour.
 struct Ring {
   /// `light`: of the inside, relative to the platform; below 1, both are plain.
-  explicit Ring(double light = 1) {
-    const cv::Size size(320, 200);
+  explicit Ring(double light = 1, int hole_radius = 30) {
+    const cv::Size size(400, 200);
     auto drawn = draw_lesson(kCentre, size);
-    cv::Mat platform = drawn.platform;
+    platform = drawn.platform;
     if (light < 1) platform.setTo(cv::mean(platform));
     cv::Mat scene = platform.clone();
     disc = cv::Mat::zeros(size, CV_8UC1);
     cv::Mat inside = disc.clone();
     cv::circle(disc, kCentre, 45, cv::Scalar(255), cv::FILLED);
-    cv::circle(inside, kCentre, 30, cv::Scalar(255), cv::FILLED);
+    cv::circle(inside, kCentre, hole_radius, cv::Scalar(255), cv::FILLED);
     ring = disc & ~inside;
     if (light < 1) scene.setTo(light * cv::mean(platform), inside);
     scene.setTo(cv::Scalar(30, 30, 30), ring);
@@ -51,9 +51,17 @@ struct Ring {
     lesson.click = kCentre;
   }
 
+  // The ring lies beside its place afterwards.
+  void put_aside() {
+    cv::Mat after = platform.clone(), moved;
+    cv::warpAffine(ring, moved, cv::Matx23d(1, 0, 140, 0, 1, 0), ring.size(), cv::INTER_NEAREST);
+    after.setTo(cv::Scalar(30, 30, 30), moved);
+    lesson.after = test::exposed(after, 12);
+  }
+
   static inline const cv::Point kCentre{160, 100};
   Lesson lesson;
-  cv::Mat disc, ring;
+  cv::Mat platform, disc, ring;
 };
 
 TEST(Click, FillsTheHoleAroundIt) {
@@ -94,6 +102,19 @@ TEST(Click, AStrokeOpensAFilledHole) {
   edit.include.clear();
   edit.exclude = {{{150, 100}, {170, 100}}};
   EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.ring), 0.9);
+}
+
+TEST(Click, AStrokeKeepsTheHoleFilledIfTheObjectWasPutAside) {
+  Ring drawn(1, 20);
+  drawn.put_aside();
+  InteractiveLesson edited(drawn.lesson);
+  ASSERT_TRUE(edited.result().put_aside);
+  EXPECT_TRUE(edited.result().put_aside->refined);
+  EXPECT_GT(iou(map_of(edited.result()), drawn.disc), 0.9);
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{190, 100}, {198, 100}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.disc), 0.9);
 }
 
 // Two neighbours that nearly touch were taken away together; the click selects one of them.
@@ -150,7 +171,7 @@ TEST(Click, FindsAClearlyVisibleObjectInOneImage) {
 }
 
 // A click does not tell whether the disc or the plate below it is meant.
-TEST(Click, AnAmbiguousClickInOneImageGivesAnUnstableMap) {
+Lesson disc_on_plate() {
   Lesson lesson;
   lesson.name = "object";
   cv::Mat scene = test::texture({320, 240}, cv::Scalar(105, 115, 120), 4, 1);
@@ -158,10 +179,25 @@ TEST(Click, AnAmbiguousClickInOneImageGivesAnUnstableMap) {
   cv::circle(scene, {160, 120}, 20, cv::Scalar(190, 160, 60), cv::FILLED);
   lesson.before = test::exposed(scene, 11);
   lesson.click = cv::Point2d(160, 120);
-  const LearnResult result = learn_object(lesson);
+  return lesson;
+}
+
+TEST(Click, AnAmbiguousClickInOneImageGivesAnUnstableMap) {
+  const LearnResult result = learn_object(disc_on_plate());
   ASSERT_TRUE(result.evidence);
   EXPECT_GT(result.evidence->boundary_contrast, 0.8) << "either has a clear edge";
   EXPECT_LT(result.evidence->stability, 0.9);
+}
+
+TEST(Click, AStrokeDoesNotMakeAnAmbiguousMapStable) {
+  InteractiveLesson lesson(disc_on_plate());
+  const double stability = lesson.result().evidence->stability;
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{155, 120}, {165, 120}}};
+  const LearnResult edited = lesson.edit(edit);
+  ASSERT_TRUE(edited.evidence);
+  EXPECT_LE(edited.evidence->stability, stability);
 }
 
 TEST(Click, OutsideTheRegionIsRefused) {

@@ -107,6 +107,23 @@ TEST(LearnObject, AStrokeKeepsTheVerifiedMapWithoutReflection) {
   EXPECT_LT(edited.evidence->stability, 0.85) << "the other cut still took more";
 }
 
+// Without the image after, the two methods disagree on the reflection.
+TEST(LearnObject, AStrokeInOneImageDoesNotHideThatTheMethodsDisagree) {
+  DrawnLesson drawn = draw_reflection();
+  drawn.lesson.after = cv::Mat();
+  InteractiveLesson lesson(drawn.lesson);
+  ASSERT_TRUE(lesson.result().evidence);
+  const double first = lesson.result().evidence->stability;
+  EXPECT_LT(first, 0.85) << "shows nothing";
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{130, 90}, {130, 110}}};
+  EXPECT_LT(lesson.edit(edit).evidence->stability, 0.85) << "the stroke does not touch the dispute";
+  edit.include.clear();
+  edit.exclude = {{{90, 75}, {90, 120}}};
+  EXPECT_GT(lesson.edit(edit).evidence->stability, first) << "the stroke settles a part of it";
+}
+
 // The survey finds only the wedge, but the cut finds the whole object.
 TEST(LearnObject, WidensARegionThatWasNotDrawn) {
   DrawnLesson drawn = draw_lesson();

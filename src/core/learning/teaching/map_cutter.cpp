@@ -51,6 +51,33 @@ void check_map(const cv::Mat& map, const cv::Rect& room) {
   if (filled >= kFullPart * room.area()) throw LessonEnded(LearnError::kSegmentationFull);
 }
 
+// Includes `hole` in every further cut, until a stroke excludes a part of it.
+Segmentation including(const cv::Mat& hole, Segmentation cut) {
+  if (cut.cut_again) {
+    cut.cut_again = [hole, again = cut.cut_again](const Marks& marks) {
+      if (cv::countNonZero(marks.exclude & hole) > 0) return again(marks);
+      return again({marks.include | hole, marks.exclude});
+    };
+  }
+  if (cut.cut_with) {
+    cut.cut_with = [hole, with = cut.cut_with](const cv::Mat& preference) {
+      return including(hole, with(preference));
+    };
+  }
+  return cut;
+}
+
+// A cut that is as stable as `agreement` at most, after strokes as well.
+Segmentation limited_by(double agreement, Segmentation cut) {
+  if (cut.evidence) cut.evidence->stability = std::min(cut.evidence->stability, agreement);
+  if (cut.cut_again) {
+    cut.cut_again = [agreement, again = cut.cut_again](const Marks& marks) {
+      return limited_by(agreement, again(marks));
+    };
+  }
+  return cut;
+}
+
 template <class Steps>
 std::optional<Segmentation> if_possible(Steps&& steps) {
   try {
@@ -122,9 +149,7 @@ Segmentation MapCutter::segment_region(Growth growth) {
 
 // For a click in one image, stability includes that the map does not depend on the region's size.
 Segmentation MapCutter::segment_clicked_piece() {
-  Segmentation found = clicked(segment_once());
-  if (found.evidence) found.evidence->stability = std::min(found.evidence->stability, agreement_);
-  return found;
+  return limited_by(agreement_, clicked(segment_once()));
 }
 
 Segmentation MapCutter::segment_clicked(Growth growth) {
@@ -175,17 +200,13 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
 }
 
 // A click is a point on the object. Where the object has the platform's colour there, its rim alone
-// is cut out, so the hole is included like a stroke, until a stroke excludes a part of it.
+// is cut out, so the hole is included like a stroke.
 Segmentation MapCutter::with_clicked_hole(const Segmentation& found) {
   const cv::Mat hole = hole_at(found.map, *lesson_.click);
   if (cv::countNonZero(hole) == 0) return found;
   Segmentation filled = cut_again(found, {hole, cv::Mat::zeros(hole.size(), CV_8UC1)});
-  if (!found.cut_again) return filled;
-  filled.cut_again = [hole, open = found.cut_again](const Marks& marks) {
-    if (cv::countNonZero(marks.exclude & hole) > 0) return open(marks);
-    return open({marks.include | hole, marks.exclude});
-  };
-  return filled;
+  filled.cut_again = found.cut_again;
+  return including(hole, filled);
 }
 
 std::optional<Segmentation> MapCutter::segment_if_possible(Growth growth) {

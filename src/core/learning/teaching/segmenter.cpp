@@ -192,22 +192,33 @@ Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& c
   return region_cut_of(task, config.iterations, report_cuts(config, progress));
 }
 
+// `chosen`, as stable as it agrees with the cut of the other method, after strokes as well.
+Segmentation compared(Segmentation chosen, const Segmentation& other) {
+  chosen.evidence->stability = segmentation::map_iou(chosen.map, other.map);
+  if (chosen.cut_again && other.cut_again) {
+    chosen.cut_again = [again = chosen.cut_again,
+                        other_again = other.cut_again](const Marks& marks) {
+      return compared(again(marks), other_again(marks));
+    };
+  }
+  return chosen;
+}
+
 // One image does not show whether the platform is one smooth surface, which the region cut
 // assumes, or many colours, which GrabCut learns: the cut with the clearer outline is right more
 // often. Where the two disagree, the map is uncertain (docs/decisions/0008-region-cut.md).
 Segmentation by_clearer_outline(const SegmentationTask& task, const LearningConfig& config,
                                 LessonProgress& progress) {
   const int rounds = config.iterations;
-  Segmentation smooth = region_cut_of(task, rounds, report_cuts(progress, 0, 2 * rounds));
-  Segmentation colours = unverified(
+  const Segmentation smooth = region_cut_of(task, rounds, report_cuts(progress, 0, 2 * rounds));
+  const Segmentation colours = unverified(
       grabcut_rect(task.before, task.region, rounds, report_cuts(progress, rounds, 2 * rounds)),
       task);
-  const double agreement = segmentation::map_iou(smooth.map, colours.map);
-  smooth.evidence->stability = colours.evidence->stability = agreement;
   const double lead = edge_and_span(smooth, task) - edge_and_span(colours, task);
   const double touches_more = smooth.evidence->region_touch - colours.evidence->region_touch;
   const auto clearer = [&](double touch_weight) {
-    return lead >= touch_weight * touches_more ? smooth : colours;
+    return lead >= touch_weight * touches_more ? compared(smooth, colours)
+                                               : compared(colours, smooth);
   };
   // In a tight region, a map of the whole object reaches the edge, but a map of a part does not.
   const Segmentation filling = clearer(0);
