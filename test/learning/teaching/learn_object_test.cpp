@@ -183,6 +183,32 @@ TEST(LearnObject, ADrawnRegionMayBeTightOrSlightlyTooSmall) {
   }
 }
 
+// A region whose left edge lies `inside` [px] the tile, with platform on the other sides.
+DrawnLesson tile_cut_off_by(int inside) {
+  const cv::Point margin(6, 6);
+  cv::Rect region(kTile.tl() - margin, kTile.br() + margin);
+  region.x += margin.x + inside;
+  region.width -= margin.x + inside;
+  return draw_tile(region);
+}
+
+TEST(LearnObject, ADrawnRegionMayCutOffLittleOnOneSide) {
+  const DrawnLesson drawn = tile_cut_off_by(3);
+  const LearnResult result = learn_object(drawn.lesson);
+  EXPECT_GT(iou(learned_map(result), drawn.truth), 0.97);
+  EXPECT_EQ(result.object.quality.verdict, Verdict::kGood);
+}
+
+TEST(LearnObject, ADrawnRegionThatCutsOffMoreIsReported) {
+  for (const int inside : {10, 14, 25}) {
+    const DrawnLesson drawn = tile_cut_off_by(inside);
+    const auto& quality = learn_object(drawn.lesson).object.quality;
+    EXPECT_EQ(std::count(quality.reasons.begin(), quality.reasons.end(), "touches_region_edge"), 1)
+        << inside;
+    EXPECT_NE(quality.verdict, Verdict::kGood) << inside;
+  }
+}
+
 TEST(LearnObject, ATightRegionInOneImageGivesTheWholeObject) {
   DrawnLesson drawn = draw_tile(kTile);
   drawn.lesson.after = cv::Mat();

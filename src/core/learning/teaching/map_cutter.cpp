@@ -6,6 +6,7 @@
 #include "imaging/rectangles.hpp"
 #include "learning/change/platform_likeness.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
+#include "learning/segmentation/map_measures.hpp"
 #include "learning/teaching/click_region.hpp"
 #include "learning/teaching/lesson_region.hpp"
 #include "learning/teaching/stage_images.hpp"
@@ -18,6 +19,7 @@ constexpr int kClickMargin = 6;      // [px] least margin around the clicked pie
 constexpr double kClickPart = 0.15;  // the margin as a part of the piece's longer side
 constexpr double kTouching = 0.04;   // part of the outline on the region's edge; if more, it grows
 constexpr double kTight = 0.35;  // part of the outline on a drawn region's edge; if more, it grows
+constexpr double kNearlySame = 0.9;  // least IoU of the maps of a drawn and of a wider region
 constexpr double kLeastSpan = 0.6;   // part of a drawn region's sides that the object fills
 constexpr int kLeastTolerance = 2;   // [px] by which a drawn region may be too small on every side
 constexpr double kTolerance = 0.08;  // the tolerance as a part of the region's width and height
@@ -33,6 +35,10 @@ bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task)
 
 bool has_clear_edge(const Segmentation& found) {
   return !found.evidence || segmentation::edge_clarity(*found.evidence) >= kClear;
+}
+
+bool may_continue_outside(const Segmentation& found) {
+  return found.evidence && found.evidence->cut_off > kTouching;
 }
 
 // A map that the user painted.
@@ -135,16 +141,28 @@ Segmentation MapCutter::segment(Growth growth) {
 Segmentation MapCutter::segment_region(Growth growth) {
   const cv::Rect wider = growth == Growth::kMayGrow ? wider_region() : task_.region;
   if (wider == task_.region) return segment_once();
-  const cv::Rect first = task_.region;
-  const bool drawn = lesson_.region != cv::Rect() && first == usable_region(lesson_);
-  const double largest_touch = drawn ? kTight : kTouching;
-  const Segmentation found = segment_unless_touching(largest_touch);
-  if (!found.evidence || found.evidence->region_touch <= largest_touch) return checked(found);
+  const bool drawn = lesson_.region != cv::Rect() && task_.region == usable_region(lesson_);
+  if (drawn) return segment_drawn_region(wider);
+  const Segmentation found = segment_unless_touching(kTouching);
+  if (!found.evidence || found.evidence->region_touch <= kTouching) return checked(found);
   task_.region = wider;
-  if (!drawn) return segment_once();
-  if (const auto grown = if_possible([&] { return segment_once(); })) return *grown;
-  task_.region = first;
   return segment_once();
+}
+
+// A drawn region that is too tight grows. If the map of a wider region is nearly the same, the
+// object ends where the drawn region's map does.
+Segmentation MapCutter::segment_drawn_region(const cv::Rect& wider) {
+  const cv::Rect drawn = task_.region;
+  const Segmentation found = segment_unless_touching(kTight);
+  const bool tight = found.evidence && found.evidence->region_touch > kTight;
+  if (!tight && !may_continue_outside(found)) return checked(found);
+  task_.region = wider;
+  const auto grown = if_possible([&] { return segment_once(); });
+  if (grown && (tight || (!may_continue_outside(*grown) &&
+                          segmentation::map_iou(grown->map, found.map) > kNearlySame)))
+    return *grown;
+  task_.region = drawn;
+  return tight ? segment_once() : checked(found);
 }
 
 // For a click in one image, stability includes that the map does not depend on the region's size.

@@ -56,6 +56,7 @@ class MapCutter {
   Segmentation segment_unless_touching(double largest_touch);
   Segmentation checked(const Segmentation& found);
   Segmentation segment_region(Growth growth);
+  Segmentation segment_drawn_region(const cv::Rect& wider);
   Segmentation segment_clicked(Growth growth);
   Segmentation segment_clicked_change(Growth growth);
   std::optional<Segmentation> segment_square();
