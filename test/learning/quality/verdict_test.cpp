@@ -107,6 +107,8 @@ TEST_F(VerdictTest, WarningsOfTheCutPreventGood) {
   beside.change_beside = 1;
   EXPECT_EQ(verdict_with(touch), Verdict::kMarginal);
   EXPECT_EQ(verdict_with(beside), Verdict::kMarginal);
+  hole.unconfirmed_hole = 0.41;
+  EXPECT_EQ(verdict_with(hole), Verdict::kBad);
   outside.change_outside = 0.51;
   EXPECT_EQ(verdict_with(outside), Verdict::kBad);
 }

@@ -16,6 +16,7 @@ constexpr double kAlike = 0.7;
 constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
 constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its holes filled
+constexpr double kHugeHole = 0.4;   // if it belongs to the object, the map has an IoU below .6
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
 
 // Reasons against a lesson.
@@ -142,7 +143,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
   reasons.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
-  reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kNever);
+  reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kHugeHole);
   reasons.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
