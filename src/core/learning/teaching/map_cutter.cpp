@@ -37,10 +37,6 @@ bool has_clear_edge(const Segmentation& found) {
   return !found.evidence || segmentation::edge_clarity(*found.evidence) >= kClear;
 }
 
-bool may_continue_outside(const Segmentation& found) {
-  return found.evidence && found.evidence->cut_off > kTouching;
-}
-
 // A map that the user painted.
 void check_given_map(const cv::Mat& map) {
   const int filled = cv::countNonZero(map);
@@ -149,18 +145,17 @@ Segmentation MapCutter::segment_region(Growth growth) {
   return segment_once();
 }
 
-// A drawn region that is too tight grows. If the map of a wider region is nearly the same, the
-// object ends where the drawn region's map does.
+// A drawn region grows if it is tight, or if the object may continue outside it and the wider map
+// is nearly the same; otherwise it may have grown into a shadow.
 Segmentation MapCutter::segment_drawn_region(const cv::Rect& wider) {
   const cv::Rect drawn = task_.region;
   const Segmentation found = segment_unless_touching(kTight);
-  const bool tight = found.evidence && found.evidence->region_touch > kTight;
-  if (!tight && !may_continue_outside(found)) return checked(found);
+  if (!found.evidence) return checked(found);
+  const bool tight = found.evidence->region_touch > kTight;
+  if (!tight && found.evidence->cut_off <= kTouching) return checked(found);
   task_.region = wider;
   const auto grown = if_possible([&] { return segment_once(); });
-  if (grown && (tight || (!may_continue_outside(*grown) &&
-                          segmentation::map_iou(grown->map, found.map) > kNearlySame)))
-    return *grown;
+  if (grown && (tight || segmentation::map_iou(grown->map, found.map) > kNearlySame)) return *grown;
   task_.region = drawn;
   return tight ? segment_once() : checked(found);
 }
