@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "learning/images.hpp"
+#include "mbncc/learning/interactive_lesson.hpp"
 
 namespace mbncc {
 namespace {
@@ -115,6 +116,23 @@ TEST(LearnErrors, MapEmptyOrFull) {
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationEmpty);
   drawn.lesson.map.setTo(255);
   EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationFull);
+}
+
+TEST(LearnErrors, OutlineOfTheWholeImage) {
+  DrawnLesson drawn = draw_lesson();
+  const auto right = static_cast<float>(drawn.truth.cols),
+             low = static_cast<float>(drawn.truth.rows);
+  drawn.lesson.outline = {{0, 0}, {right, 0}, {right, low}, {0, low}};
+  EXPECT_EQ(error_for(drawn.lesson), LearnError::kSegmentationFull);
+}
+
+// A stroke over everything leaves no map.
+TEST(LearnErrors, StrokeThatExcludesTheWholeObject) {
+  InteractiveLesson lesson(draw_lesson().lesson);
+  LessonEdit edit;
+  edit.exclude = {{{0, 100}, {239, 100}}};
+  edit.stroke_width = 200;
+  EXPECT_EQ(lesson.edit(edit).error, LearnError::kSegmentationEmpty);
 }
 
 // The message that a person reads about a refused lesson.
