@@ -49,6 +49,15 @@ def object_fault(found, now):
     return None
 
 
+def absence(array, name):
+    """Why no object of that name is listed. An object that could be one of several is listed under one name only."""
+    if not name:
+        return "no object in view"
+    others = ["%s #%d" % (found.name, found.instance_id) for found in array.objects
+              if found.state == DetectedObject.AMBIGUOUS]
+    return "no %s in view" % name + ("; ambiguous, may be it: " + ", ".join(others) if others else "")
+
+
 def choose(array, name, now):
     """The best object that may be grasped now, and why the others may not."""
     fault = array_fault(array)
@@ -62,7 +71,7 @@ def choose(array, name, now):
         if fault is None:
             return found, []
         reasons.append("%s #%d is %s" % (found.name, found.instance_id, fault))
-    return None, reasons or ["no %s in view" % (name or "object")]
+    return None, reasons or [absence(array, name)]
 
 
 def unknown(name, library):

@@ -58,6 +58,11 @@ class GraspClientTest(unittest.TestCase):
         self.assertEqual(choice([confirmed(state=DetectedObject.NEW), confirmed(instance_id=2)])[0]
                          .instance_id, 2)
 
+    def test_an_ambiguous_object_of_another_name_is_reported(self):
+        self.assertEqual(choice([confirmed()], name="other")[1], ["no other in view"])
+        self.assertEqual(choice([confirmed(state=DetectedObject.AMBIGUOUS)], name="other")[1],
+                         ["no other in view; ambiguous, may be it: part #1"])
+
     def test_a_mistyped_name_is_reported_with_the_known_names(self):
         self.assertIn("it has part, plate", grasp_client.unknown("prat", {"plate": 1, "part": 1})[0])
         self.assertEqual(grasp_client.unknown("part", {"part": 1}), [])
