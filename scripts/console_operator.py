@@ -4,7 +4,7 @@ import subprocess
 import threading
 import time
 
-from console_session import PATIENCE, SessionFailed, wait_for
+from console_session import GLANCE, PATIENCE, SessionFailed, wait_for
 
 
 def xdotool(*arguments):
@@ -28,28 +28,26 @@ class Mouse:
 
     @staticmethod
     def place(window):
-        """Position on the display and size [px]."""
+        """Position on the display and size [px]; None without such a window."""
         words = xdotool("getwindowgeometry", "--shell", window)
         values = dict(word.split("=") for word in words if "=" in word)
-        return tuple(int(values.get(word, 0)) for word in ("X", "Y", "WIDTH", "HEIGHT"))
-
-    def size(self, window):
-        return self.place(window)[2:]
+        names = ("X", "Y", "WIDTH", "HEIGHT")
+        return tuple(int(values[name]) for name in names) if set(names) <= set(values) else None
 
     def resting_window(self, name):
-        """The window of a part that accepts clicks, once the layout no longer moves it."""
+        """The window and the size of a part that accepts clicks, once the layout no longer moves it."""
         before = None
 
         def look():
             nonlocal before
             window = self.window(name)
             earlier, before = before, (window, self.place(window))
-            return window if before == earlier else None
-        return wait_for(look, "the console leaves '%s' in its place" % name)
+            return before if before[1] and before == earlier else None
+        window, place = wait_for(look, "the console leaves '%s' in its place" % name)
+        return window, place[2:]
 
     def click(self, name, at=None, button=1):
-        window = self.resting_window(name)
-        width, height = self.size(window)
+        window, (width, height) = self.resting_window(name)
         x, y = at or (width // 2, height // 2)
         xdotool("mousemove", "--window", window, x, y, "click", button)
         self.actions += 1
@@ -72,7 +70,15 @@ class Mouse:
             self.press(key)
 
     def open_menu(self, name):
-        self.click_until(name, lambda: self.sees("menu of " + name), "its menu is shown")
+        # A further click on a slow console closes the menu again, so it has to stay.
+        self.click_until(name, lambda: self.stays("menu of " + name), "its menu is shown")
+
+    def stays(self, name):
+        """Whether the console shows a part now and at the next look as well."""
+        if not self.sees(name):
+            return False
+        time.sleep(GLANCE)
+        return self.sees(name)
 
     @staticmethod
     def sees(name):
@@ -112,8 +118,7 @@ class Mouse:
 
     def drag(self, points, image):
         """A stroke over `points` [px] of an image of size `image` in the image view."""
-        window = self.window("image")
-        width, height = self.size(window)
+        window, (width, height) = self.resting_window("image")
         scale = min(width / image[0], height / image[1])
         left, top = (width - scale * image[0]) / 2, (height - scale * image[1]) / 2
         spots = [(round(left + scale * (x + 0.5)), round(top + scale * (y + 0.5))) for x, y in points]

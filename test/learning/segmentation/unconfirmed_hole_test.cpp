@@ -77,6 +77,13 @@ TEST_F(UnconfirmedHoleTest, AStrokeConfirmsIt) {
   EXPECT_EQ(part(plain_, 0.85), 0);
 }
 
+TEST_F(UnconfirmedHoleTest, AStrokeThroughAPartOfAHoleSettlesAllOfIt) {
+  EXPECT_NEAR(enclosed_part(map_, {}), kPart, 1e-9);
+  cv::Mat excluded = cv::Mat::zeros(kSize, CV_8UC1);
+  excluded.at<uchar>(kHole.y + 6, kHole.x + 20) = 255;
+  EXPECT_EQ(enclosed_part(map_, excluded), 0);
+}
+
 TEST_F(UnconfirmedHoleTest, ABayIsNoHole) {
   map_(cv::Rect(kHole.x, 0, kHole.width, kHole.y)).setTo(0);
   EXPECT_EQ(part(plain_, 0.85), 0);

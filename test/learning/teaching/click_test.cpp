@@ -115,6 +115,9 @@ TEST(Click, AStrokeKeepsTheHoleFilledIfTheObjectWasPutAside) {
   edit.stroke_width = 5;
   edit.include = {{{190, 100}, {198, 100}}};
   EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.disc), 0.9);
+  edit.include.clear();
+  edit.exclude = {{{155, 100}, {165, 100}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), drawn.ring), 0.9) << "a stroke opens it";
 }
 
 // Two neighbours that nearly touch were taken away together; the click selects one of them.

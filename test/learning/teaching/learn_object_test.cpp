@@ -124,6 +124,24 @@ TEST(LearnObject, AStrokeInOneImageDoesNotHideThatTheMethodsDisagree) {
   EXPECT_GT(lesson.edit(edit).evidence->stability, first) << "the stroke settles a part of it";
 }
 
+// The region cut does not find a faint object, GrabCut finds something.
+TEST(LearnObject, AStrokeInOneImageDoesNotHideThatOnlyOneMethodFindsAnything) {
+  DrawnLesson drawn = draw_lesson();
+  cv::Mat scene = test::texture(drawn.truth.size(), cv::Scalar(105, 115, 120), 4, 1);
+  cv::add(scene, cv::Scalar::all(10), scene, drawn.truth);
+  drawn.lesson.before = test::exposed(scene, 11);
+  drawn.lesson.after = cv::Mat();
+  InteractiveLesson lesson(drawn.lesson);
+  ASSERT_TRUE(lesson.result().evidence);
+  EXPECT_EQ(lesson.result().evidence->stability, 0);
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{115, 100}, {125, 100}}};
+  const LearnResult edited = lesson.edit(edit);
+  EXPECT_LT(edited.evidence->stability, 0.5);
+  EXPECT_EQ(edited.object.quality.verdict, Verdict::kBad);
+}
+
 // The survey finds only the wedge, but the cut finds the whole object.
 TEST(LearnObject, WidensARegionThatWasNotDrawn) {
   DrawnLesson drawn = draw_lesson();
@@ -207,6 +225,16 @@ TEST(LearnObject, ADrawnRegionThatCutsOffMoreIsReported) {
         << inside;
     EXPECT_NE(quality.verdict, Verdict::kGood) << inside;
   }
+}
+
+// A wider region would add a strip of the reflection to the map.
+TEST(LearnObject, ADrawnRegionDoesNotGrowIntoMoreOfAReflection) {
+  DrawnLesson drawn = draw_reflection();
+  drawn.lesson.region = cv::Rect(90, 50, 140, 100);
+  const LearnResult result = learn_object(drawn.lesson, with_method("change_cut"));
+  const auto& reasons = result.object.quality.reasons;
+  EXPECT_EQ(std::count(reasons.begin(), reasons.end(), "touches_region_edge"), 1);
+  EXPECT_EQ(cv::countNonZero(learned_map(result).colRange(0, 90)), 0);
 }
 
 TEST(LearnObject, ATightRegionInOneImageGivesTheWholeObject) {

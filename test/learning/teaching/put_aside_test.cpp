@@ -200,6 +200,12 @@ TEST(PutAsideLesson, TwoRemovedObjectsAreNotGood) {
   const LearnResult result = learn_object(drawn.lesson);
   ASSERT_TRUE(result.has_model) << result.message;
   EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
+  InteractiveLesson edited(drawn.lesson);
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.include = {{{95, 110}, {105, 110}}};
+  EXPECT_NE(edited.edit(edit).object.quality.verdict, Verdict::kGood)
+      << "there are two parts still";
 }
 
 TEST(PutAsideLesson, AClickSelectsOneOfTwoRemovedObjects) {
@@ -216,6 +222,16 @@ TEST(PutAsideLesson, AClickSelectsOneOfTwoRemovedObjects) {
   ASSERT_TRUE(guessed.has_model) << guessed.message;
   EXPECT_EQ(guessed.object.quality.verdict, Verdict::kMarginal);
   EXPECT_EQ(open_choice(guessed), 1);
+  InteractiveLesson edited(drawn.lesson);
+  LessonEdit edit;
+  edit.stroke_width = 5;
+  edit.exclude = {{{170, 20}, {180, 20}}};
+  EXPECT_EQ(open_choice(edited.edit(edit)), 1) << "a stroke on the platform tells nothing";
+  const cv::Point2d learned = centroid(test::map_of(guessed));
+  edit.exclude.clear();
+  edit.include = {{{static_cast<float>(learned.x) - 3, static_cast<float>(learned.y)},
+                   {static_cast<float>(learned.x) + 3, static_cast<float>(learned.y)}}};
+  EXPECT_EQ(open_choice(edited.edit(edit)), 0) << "this object is meant";
   drawn.lesson.click = kOldPlace;
   const LearnResult clicked = learn_object(drawn.lesson);
   ASSERT_TRUE(clicked.has_model) << clicked.message;

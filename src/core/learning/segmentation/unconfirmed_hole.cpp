@@ -2,6 +2,7 @@
 #include "learning/segmentation/unconfirmed_hole.hpp"
 
 #include <cmath>
+#include <functional>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -49,10 +50,9 @@ cv::Mat inner_pixels(const cv::Mat& hole) {
   return inner;
 }
 
-}  // namespace
-
-double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after,
-                        const cv::Mat& excluded) {
+// Part of the map with the counted holes filled. `counts` gets the box and the mask of a hole.
+double part_of_holes(const cv::Mat& map,
+                     const std::function<bool(const cv::Rect&, const cv::Mat&)>& counts) {
   cv::Mat filled = map.clone(), labels, stats, centres;
   fill_holes(filled, static_cast<int>(map.total()));
   const int count =
@@ -60,14 +60,31 @@ double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat
   double area = 0;
   for (int label = 1; label < count; ++label) {
     const cv::Rect box = imaging::box_of_component(stats, label);
-    const cv::Mat inner = inner_pixels(labels(box) == label);
-    if (cv::countNonZero(inner) < kFewestPixels) continue;
-    if (!excluded.empty() && cv::countNonZero(inner & excluded(box)) > 0) continue;
-    if (!same_light(before(box), after(box), inner) &&
-        !same_texture(before(box), after(box), inner))
-      area += stats.at<int>(label, cv::CC_STAT_AREA);
+    if (counts(box, labels(box) == label)) area += stats.at<int>(label, cv::CC_STAT_AREA);
   }
   return area == 0 ? 0 : area / (area + cv::countNonZero(map));
+}
+
+bool touches(const cv::Mat& excluded, const cv::Rect& box, const cv::Mat& inner) {
+  return !excluded.empty() && cv::countNonZero(inner & excluded(box)) > 0;
+}
+
+}  // namespace
+
+double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after,
+                        const cv::Mat& excluded) {
+  return part_of_holes(map, [&](const cv::Rect& box, const cv::Mat& hole) {
+    const cv::Mat inner = inner_pixels(hole);
+    return cv::countNonZero(inner) >= kFewestPixels && !touches(excluded, box, inner) &&
+           !same_light(before(box), after(box), inner) &&
+           !same_texture(before(box), after(box), inner);
+  });
+}
+
+double enclosed_part(const cv::Mat& map, const cv::Mat& excluded) {
+  return part_of_holes(map, [&](const cv::Rect& box, const cv::Mat& hole) {
+    return !touches(excluded, box, inner_pixels(hole));
+  });
 }
 
 }  // namespace mbncc::segmentation

@@ -14,4 +14,8 @@ namespace mbncc::segmentation {
 double unconfirmed_hole(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after,
                         const cv::Mat& excluded);
 
+/// Part [0..1] of the map, its holes filled, that is hole, without holes of which `excluded` covers
+/// an inner pixel. `map`, `excluded`: as above.
+double enclosed_part(const cv::Mat& map, const cv::Mat& excluded);
+
 }  // namespace mbncc::segmentation

@@ -23,6 +23,22 @@ bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
 }
 
+// A cut whose place nobody has named, before and after strokes. One part of a map may be the place
+// where the object was put down. If several objects left (`second_departure`), another one may be
+// meant, unless a stroke includes a part of this one.
+Segmentation doubtful(Segmentation cut, double second_departure) {
+  if (!cut.evidence) return cut;
+  cut.evidence->second_departure = second_departure;
+  if (!large_parts(cut.map).empty())
+    cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubtfulChange);
+  if (!cut.cut_again) return cut;
+  cut.cut_again = [map = cut.map, again = cut.cut_again, second_departure](const Marks& marks) {
+    const bool meant = cv::countNonZero(map & marks.include) > 0;
+    return doubtful(again(marks), meant ? 0 : second_departure);
+  };
+  return cut;
+}
+
 class LessonRun {
  public:
   LessonRun(LessonState& state, const LearningConfig& config, const SearchConfig& search,
@@ -107,16 +123,7 @@ class LessonRun {
     if (state_.new_place || reconsider_place()) return;
     if (!state_.cut)
       state_.cut = cutter_.segment(Growth::kMayGrow);  // throws the reason why there is none
-    lower_confidence(*state_.cut);
-  }
-
-  // One part of a map may be the place where the object was put down, and if several objects left,
-  // another one may be meant.
-  void lower_confidence(Segmentation& cut) const {
-    if (!cut.evidence) return;
-    cut.evidence->second_departure = cutter_.second_departure();
-    if (!large_parts(cut.map).empty())
-      cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubtfulChange);
+    state_.cut = doubtful(*state_.cut, cutter_.second_departure());
   }
 
   bool reconsider_place() {

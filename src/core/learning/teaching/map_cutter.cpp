@@ -146,7 +146,7 @@ Segmentation MapCutter::segment_region(Growth growth) {
 }
 
 // A drawn region grows if it is tight, or if the object may continue outside it and the wider map
-// is nearly the same; otherwise it may have grown into a shadow.
+// is nearly the same; a wider map that differs more may contain a shadow.
 Segmentation MapCutter::segment_drawn_region(const cv::Rect& wider) {
   const cv::Rect drawn = task_.region;
   const Segmentation found = segment_unless_touching(kTight);

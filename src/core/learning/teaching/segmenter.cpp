@@ -8,6 +8,7 @@
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/segmentation/map_measures.hpp"
+#include "learning/segmentation/unconfirmed_hole.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/learning/region_cut.hpp"
 #include "mbncc/learning/sb_grabcut.hpp"
@@ -52,13 +53,6 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(segmentation::clean_map(result), marks);
 }
 
-// Part of the map with its holes filled that is hole.
-double enclosed_part(const cv::Mat& map) {
-  cv::Mat filled = map.clone();
-  segmentation::fill_holes(filled, static_cast<int>(map.total()));
-  return 1 - cv::countNonZero(map) / std::max(1.0, static_cast<double>(cv::countNonZero(filled)));
-}
-
 // Completes `evidence` by the measures that need only the map.
 Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task) {
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
@@ -66,11 +60,12 @@ Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const Segmenta
   evidence.region_touch = segmentation::region_touch(map, inside);
   evidence.region_span = segmentation::region_span(map, inside);
   evidence.cut_off = std::min(evidence.cut_off, evidence.region_touch);
-  evidence.unconfirmed_hole = std::min(evidence.unconfirmed_hole, enclosed_part(map));
+  evidence.unconfirmed_hole =
+      std::min(evidence.unconfirmed_hole, segmentation::enclosed_part(map, {}));
   const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
     Segmentation again{grabcut_again(map, marks, task), evidence, {}, {}};
     again.evidence->unconfirmed_hole =
-        std::min(evidence.unconfirmed_hole, enclosed_part(again.map | marks.exclude));
+        std::min(evidence.unconfirmed_hole, segmentation::enclosed_part(again.map, marks.exclude));
     return again;
   };
   return {map, evidence, cut_again, {}};
@@ -195,12 +190,13 @@ Segmentation by_region_cut(const SegmentationTask& task, const LearningConfig& c
 // `chosen`, as stable as it agrees with the cut of the other method, after strokes as well.
 Segmentation compared(Segmentation chosen, const Segmentation& other) {
   chosen.evidence->stability = segmentation::map_iou(chosen.map, other.map);
-  if (chosen.cut_again && other.cut_again) {
-    chosen.cut_again = [again = chosen.cut_again,
-                        other_again = other.cut_again](const Marks& marks) {
-      return compared(again(marks), other_again(marks));
-    };
-  }
+  if (!chosen.cut_again) return chosen;
+  chosen.cut_again = [again = chosen.cut_again, other](const Marks& marks) {
+    if (other.cut_again) return compared(again(marks), other.cut_again(marks));
+    Segmentation painted = other;
+    painted.map = overpainted(other.map, marks);
+    return compared(again(marks), painted);
+  };
   return chosen;
 }
 
