@@ -139,7 +139,7 @@ Segmentation MapCutter::segment_region(Growth growth) {
   if (wider == task_.region) return segment_once();
   const bool drawn = lesson_.region != cv::Rect() && task_.region == usable_region(lesson_);
   if (drawn) return segment_drawn_region(wider);
-  const Segmentation found = segment_unless_touching(kTouching);
+  const Segmentation found = segment_unless_touching(std::min(kTouching, task_.largest_touch));
   if (!found.evidence || found.evidence->region_touch <= kTouching) return checked(found);
   task_.region = wider;
   return segment_once();
@@ -170,8 +170,20 @@ Segmentation MapCutter::segment_clicked(Growth growth) {
   return with_clicked_hole(segment_clicked_change(growth));
 }
 
-// Where the platform changed as well, the change around a click contains more than the object.
+// GrabCut is slow in the large regions in which the clicked object is looked for, so that it is
+// compared only in the last one.
 Segmentation MapCutter::segment_clicked_change(Growth growth) {
+  task_.largest_touch = 0;
+  Segmentation found = find_clicked(growth);
+  task_.largest_touch = 1;
+  if (!found.evidence || found.evidence->region_touch == 0) return found;
+  Segmentation compared = segment_once();
+  compared.map = piece_at(compared.map, *lesson_.click);
+  return cv::countNonZero(compared.map) > 0 ? compared : found;
+}
+
+// Where the platform changed as well, the change around a click contains more than the object.
+Segmentation MapCutter::find_clicked(Growth growth) {
   try {
     const Segmentation found = clicked(segment_region(growth));
     return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
@@ -227,7 +239,7 @@ std::optional<Segmentation> MapCutter::segment_if_possible(Growth growth) {
 }
 
 Segmentation MapCutter::segment_once() {
-  return checked(segment_unless_touching(1));
+  return checked(segment_unless_touching(task_.largest_touch));
 }
 
 Segmentation MapCutter::segment_unless_touching(double largest_touch) {

@@ -59,6 +59,7 @@ class MapCutter {
   Segmentation segment_drawn_region(const cv::Rect& wider);
   Segmentation segment_clicked(Growth growth);
   Segmentation segment_clicked_change(Growth growth);
+  Segmentation find_clicked(Growth growth);
   std::optional<Segmentation> segment_square();
   Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);
