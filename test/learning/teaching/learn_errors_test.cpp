@@ -160,6 +160,18 @@ TEST(LearnErrors, MessagesNameTheInputAndTheRemedy) {
   lesson = drawn.lesson;
   lesson.region = {100, 90, 5, 5};
   EXPECT_EQ(told(lesson), "The region is only 5 x 5 px. Give at least 8 x 8 px.");
+  lesson.region = {1000, 90, 50, 50};
+  EXPECT_EQ(
+      told(lesson),
+      "The region does not lie in the image. Give a region inside the image of " + size + " px.");
+  lesson.region = {5, 5, 20, 20};
+  EXPECT_EQ(told(lesson),
+            "The images before and after show no difference in the region. Draw the region around "
+            "the place where the object lay.");
+  lesson.region = {};
+  std::swap(lesson.before, lesson.after);
+  EXPECT_NE(told(lesson).find("exchange before and after"), std::string::npos);
+  lesson = drawn.lesson;
   lesson.region = {{0, 0}, lesson.before.size()};
   EXPECT_EQ(learn_object(lesson).error, LearnError::kSuccess) << "the change shows the object";
   lesson.after = cv::Mat();

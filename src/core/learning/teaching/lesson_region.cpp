@@ -46,7 +46,9 @@ void find_departure(const Lesson& lesson, ChangeSurvey& survey, RegionOfLesson& 
   survey.changed = cv::Mat(left > 0);  // a new image: `surveyed` shares the old one
   const std::vector<cv::Rect> places = change::changed_places(left, survey.noisy);
   if (changed && places.empty())
-    throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.");
+    throw LessonEnded(LearnError::kNoChange, "Something was put down, but nothing was taken away.",
+                      "Take the object away; if the images are in the wrong order, exchange before "
+                      "and after.");
   region.room = places.empty() ? cv::Rect() : places.front();
   if (places.size() < 2) return;
   const double first = cv::sum(left(places[0]))[0];
@@ -107,7 +109,11 @@ void approximate(const Lesson& lesson, const LearningConfig& config, RegionOfLes
   region.approximate(region.room).setTo(255);
   if (!region.changed.empty()) region.approximate &= region.changed;
   if (lesson.click) narrow_to_click(lesson, config, region);
-  if (cv::countNonZero(region.approximate) == 0) throw LessonEnded(LearnError::kNoChange);
+  if (cv::countNonZero(region.approximate) > 0) return;
+  if (lesson.click || lesson.region == cv::Rect()) throw LessonEnded(LearnError::kNoChange);
+  throw LessonEnded(LearnError::kNoChange,
+                    "The images before and after show no difference in the region.",
+                    "Draw the region around the place where the object lay.");
 }
 
 // With one image, the background's colours are those outside the region, so the region must not be
@@ -137,7 +143,8 @@ cv::Rect usable_region(const Lesson& lesson) {
   const cv::Range rows = clipped(given.y, given.height, lesson.before.rows);
   require(
       columns.end - columns.start >= kSmallestRegion && rows.end - rows.start >= kSmallestRegion,
-      LearnError::kRegionInvalid, "");
+      LearnError::kRegionInvalid, "The region does not lie in the image.",
+      "Give a region inside the image of " + size_text(lesson.before.size()) + " px.");
   return {columns.start, rows.start, columns.end - columns.start, rows.end - rows.start};
 }
 
