@@ -177,6 +177,12 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertTrue(done.stderr.startswith("calibrate_platform: "), done.stderr)
             self.assertEqual(len(done.stderr.strip().splitlines()), 1, done.stderr)
 
+        self.assertIn("none.csv: No such file", done.stderr)
+
+    def test_a_board_size_without_rows_is_explained(self):
+        done = self.call("--chessboard", "9", "--square", "0.03", "--image", self.path("empty.png"))
+        self.assertIn("'9' is not the number of inner corners, such as 9x6", done.stderr)
+
     def test_an_invalid_calibration_is_reported(self):
         self.write("points.csv", "1,2,0,0\n3,4,0.1,0\n5,9,0,0.1\n9,9,0.1,0.1\n")
         for text in ("", "image_width: 640\n", "- 1\n", "{a: [\n", "camera_matrix: {data: [1, 2]}\n"):
