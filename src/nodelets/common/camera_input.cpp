@@ -90,7 +90,7 @@ std::string CameraInput::fault() const {
   if (!transport_fault_.empty()) return transport_fault_;
   if (!images_) return "";
   if (images_.getNumPublishers() == 0) return nobody_publishes(images_.getTopic());
-  return Clock::now() - image_received_ > kImageTimeout ? kImagesStopped : "";
+  return Clock::now() - image_received_ > kImageTimeout ? kNoImages : "";
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {

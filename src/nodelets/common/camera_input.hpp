@@ -16,7 +16,7 @@
 namespace mbncc::nodelets {
 
 /// Message if no image has arrived for some time.
-constexpr char kImagesStopped[] = "images have stopped; check the camera and its cable";
+constexpr char kNoImages[] = "no images arrive; check the camera and its cable";
 
 struct CameraInputConfig {
   std::string transport;    ///< raw, compressed ...

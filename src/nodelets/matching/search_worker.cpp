@@ -185,7 +185,7 @@ std::string SearchWorker::reason_of_staleness() const {
   const std::string fault = statistics_.get().last_fault;
   if (tools_.camera.publishers() > 0 && !fault.empty()) return "no usable image: " + fault;
   const std::string stream = tools_.camera.fault();
-  return stream.empty() ? kImagesStopped : stream;
+  return stream.empty() ? kNoImages : stream;
 }
 
 }  // namespace mbncc::nodelets

@@ -37,7 +37,7 @@ TEST_F(Protocol, ReportsStaleWithoutImagesAndLibraryEmptyWithThem) {
 }
 
 TEST_F(Protocol, DiagnosticsReportThatImagesStopped) {
-  const std::string stopped = "images have stopped; check the camera and its cable";
+  const std::string stopped = "no images arrive; check the camera and its cable";
   const auto is_error = [&](const std::string& nodelet) {
     return health_is(nodelet, diagnostic_msgs::DiagnosticStatus::ERROR, stopped);
   };
