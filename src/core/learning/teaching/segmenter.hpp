@@ -21,8 +21,8 @@ struct SegmentationTask {
   cv::Rect region;      ///< [px] the object lies in here
   cv::Mat approximate;  ///< CV_8UC1, 255 on the paper's approximate region
   cv::Mat changed;      ///< CV_8UC1, 255 where the images differ anywhere; empty without `after`
-  /// Part [0..1] of a map's outline on the region's edge above which the caller cuts again in a
-  /// wider region.
+  /// Part [0..1] of a map's outline on the region's edge above which the caller cuts again, in
+  /// another region or for the final map.
   double largest_touch = 1;
   /// Part of the region's width and height [0..1] that the object probably fills; 0: unknown.
   double least_span = 0;
