@@ -12,9 +12,11 @@ import xmlrpc.client
 import rosgraph
 import rospy
 import rostest
+from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from std_srvs.srv import Trigger
 
-from mbncc_vision.msg import LearnObjectGoal
+from mbncc_vision.msg import (LearnObjectActionFeedback, LearnObjectActionGoal, LearnObjectActionResult,
+                              LearnObjectGoal)
 from mbncc_vision.srv import ListObjects
 
 TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "scripts", "teach")
@@ -39,6 +41,25 @@ def order(command):
 def kill_learning(namespace):
     uri = rosgraph.Master("/teach_rostest").lookupNode(namespace + "/learning")
     os.kill(xmlrpc.client.ServerProxy(uri).getPid("/teach_rostest")[2], signal.SIGKILL)
+
+
+class LostResult:
+    """A server of the action that rejects each goal; its result does not arrive."""
+
+    def __init__(self, namespace, reason):
+        topic = namespace + "/learn_object/"
+        self._reason = reason
+        self._rejected = GoalStatusArray()
+        self._status = rospy.Publisher(topic + "status", GoalStatusArray, queue_size=1)
+        self._unused = [rospy.Publisher(topic + "feedback", LearnObjectActionFeedback, queue_size=1),
+                        rospy.Publisher(topic + "result", LearnObjectActionResult, queue_size=1),
+                        rospy.Subscriber(topic + "cancel", GoalID, lambda _: None)]
+        self._goals = rospy.Subscriber(topic + "goal", LearnObjectActionGoal, self._reject)
+        self._timer = rospy.Timer(rospy.Duration(0.2), lambda _: self._status.publish(self._rejected))
+
+    def _reject(self, goal):
+        self._rejected = GoalStatusArray(status_list=[
+            GoalStatus(goal_id=goal.goal_id, status=GoalStatus.REJECTED, text=self._reason)])
 
 
 class Teach(unittest.TestCase):
@@ -95,6 +116,14 @@ class Teach(unittest.TestCase):
 
     def test_a_restarted_server_has_lost_the_lesson(self):
         self.assertIn("teach again", self.lost_lesson("/reborn"))
+
+    def test_a_lost_result_is_replaced_by_the_status_of_the_goal(self):
+        server = LostResult("/mute", "Not today.")
+        program = self.start("part", namespace="/mute")
+        said, _ = program.communicate()
+        del server
+        self.assertEqual(program.returncode, 1, said)
+        self.assertEqual(said, "error: Not today.\n")
 
     def test_a_bad_name_ends_at_once_with_a_reason(self):
         known_names()
