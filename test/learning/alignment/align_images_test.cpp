@@ -39,6 +39,15 @@ TEST(PhotometricFit, RecoversGainOffsetAndPlane) {
   EXPECT_LT(mean_error(alignment::apply_light(after, found), before), 0.3);
 }
 
+TEST(PhotometricFit, FollowsALargeChangeOfTheExposure) {
+  const cv::Mat after = test::texture(kSize, kTable, 20, 1);
+  for (const double exposure : {0.6, 1.7}) {
+    const cv::Mat before = after * exposure;
+    const alignment::Light found = alignment::fit_light(before, after, all_of(kSize), true);
+    EXPECT_LT(mean_error(alignment::apply_light(after, found), floats(before)), 1) << exposure;
+  }
+}
+
 TEST(PhotometricFit, IgnoresAForeignQuarter) {
   const cv::Mat after = test::texture(kSize, kTable, 20, 1);
   cv::Mat before = after * 1.1;
@@ -46,6 +55,48 @@ TEST(PhotometricFit, IgnoresAForeignQuarter) {
   const alignment::Light found = alignment::fit_light(before, after, all_of(kSize), false);
   const cv::Rect rest(120, 100, 120, 100);
   EXPECT_LT(mean_error(alignment::apply_light(after, found)(rest), before(rest)), 0.5);
+}
+
+// Shadows on the left of the image after and on the right of the one before.
+struct MovedShadows {
+  cv::Rect left, lit, right;
+  cv::Mat before, after;
+
+  MovedShadows(double exposure, int width)
+      : left(0, 0, width, kSize.height),
+        lit(width, 0, kSize.width - 2 * width, kSize.height),
+        right(kSize.width - width, 0, width, kSize.height) {
+    const cv::Mat platform = test::texture(kSize, kTable, 20, 1);
+    before = platform * exposure;
+    after = platform.clone();
+    before(right) *= 0.6;
+    after(left) *= 0.6;
+  }
+};
+
+TEST(PhotometricFit, IsThatOfTheUnchangedPlatformBesideMovedShadows) {
+  for (const double exposure : {0.9, 1.0, 1.2}) {
+    const MovedShadows moved(exposure, 84);
+    const alignment::Light found =
+        alignment::fit_light(moved.before, moved.after, all_of(kSize), true);
+    const cv::Mat lit = alignment::apply_light(moved.after, found);
+    EXPECT_LT(mean_error(lit(moved.lit), floats(moved.before(moved.lit))), 1) << exposure;
+  }
+}
+
+TEST(AlignImages, ShadowsAreNotTrusted) {
+  const MovedShadows moved(1, 96);
+  const alignment::AlignedPair pair =
+      alignment::align_images(test::exposed(moved.before, 5), test::exposed(moved.after, 6),
+                              {110, 90, 20, 20}, cv::Mat::zeros(kSize, CV_8UC1), 4);
+  ASSERT_EQ(pair.window.height, 100);
+  const auto trusted_part = [&](const cv::Rect& area) {
+    const cv::Mat part = pair.trusted((area & pair.window) - pair.window.tl());
+    return cv::countNonZero(part) / static_cast<double>(part.total());
+  };
+  EXPECT_LT(trusted_part(moved.left), 0.02);
+  EXPECT_LT(trusted_part(moved.right), 0.02);
+  EXPECT_GT(trusted_part(moved.lit), 0.6);
 }
 
 TEST(PhotometricFit, TooFewPixelsGiveTheIdentity) {

@@ -16,6 +16,11 @@ constexpr std::size_t kFewest = 200;  // samples; with fewer, the light is the i
 constexpr int kRounds = 5;            // most rounds of reweighting
 constexpr double kSettled = 0.05;     // [grey levels] a smaller change of the light ends the fit
 constexpr double kLeastSpread = 0.5;  // [grey levels] least spread, from rounding alone
+constexpr float kNoShadow = 0.15F;    // part of the light, less than a shadow takes
+constexpr float kLeastShadow = 8;     // [grey levels] deviation of dark pixels
+constexpr double kUsualChange = 0.5;  // log of a ratio; the light seldom changes more
+constexpr double kRatioBin = 0.03;    // log of a ratio
+constexpr int kRatioBins = 25;        // ratios up to 2.1
 constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
 
 // One equation: difference = a g + a u gx + a v gy + offset.
@@ -26,6 +31,11 @@ struct Sample {
   float residual(const cv::Vec4f& light) const {
     return difference -
            (terms[0] * light[0] + terms[1] * light[1] + terms[2] * light[2] + terms[3] * light[3]);
+  }
+
+  // Whether noise may explain the residual; a shadow in one of the images takes more light.
+  bool is_plausible(const cv::Vec4f& light) const {
+    return std::abs(residual(light)) < kNoShadow * std::max(terms[0], 0.F) + kLeastShadow;
   }
 };
 
@@ -54,9 +64,9 @@ float spread_of(const std::vector<Sample>& samples, const cv::Vec4d& light) {
   std::vector<float> residuals;
   residuals.reserve(samples.size());
   for (const auto& sample : samples)
-    residuals.push_back(static_cast<float>(std::abs(sample.residual(light))));
-  return numeric::deviation_of_mad(
-      std::max(static_cast<float>(kLeastSpread), numeric::median(residuals)));
+    if (sample.is_plausible(light)) residuals.push_back(std::abs(sample.residual(light)));
+  const float median = residuals.empty() ? 0 : numeric::median(residuals);
+  return numeric::deviation_of_mad(std::max(static_cast<float>(kLeastSpread), median));
 }
 
 // Weak priors, proportional to the number of samples, keep terms at 0 that the scene does not
@@ -73,7 +83,7 @@ cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light,
   cv::Vec4d right(0, 0, 0, 0);
   for (const auto& sample : samples) {
     const double r = sample.residual(light) / cut;
-    if (std::abs(r) >= 1) continue;
+    if (std::abs(r) >= 1 || !sample.is_plausible(light)) continue;
     const double weight = (1 - r * r) * (1 - r * r);
     for (int i = 0; i < 4; ++i) {
       right[i] += weight * sample.terms[i] * sample.difference;
@@ -85,11 +95,31 @@ cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light,
   return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
-float median_difference(const std::vector<Sample>& samples) {
-  std::vector<float> differences;
-  differences.reserve(samples.size());
-  for (const auto& sample : samples) differences.push_back(static_cast<float>(sample.difference));
-  return numeric::median(differences);
+// The most frequent ratio of the images. Parts of the platform that are in a shadow in one of the
+// images have other ratios, so that a mean or median may lie between them.
+double usual_ratio(const Samples& samples) {
+  constexpr int kLast = 2 * kRatioBins;
+  std::array<double, kLast + 1> counts{};
+  for (std::size_t i = 0; i < samples[0].size(); ++i) {
+    float after = 1, before = 1;
+    for (const auto& channel : samples) {
+      after += channel[i].terms[0];
+      before += channel[i].terms[0] + channel[i].difference;
+    }
+    const int bin = cvRound(std::log(before / after) / kRatioBin);
+    if (std::abs(bin) <= kRatioBins) counts[bin + kRatioBins] += after;
+  }
+  int usual = kRatioBins;
+  double most = 0;
+  for (int bin = 2; bin + 2 <= kLast; ++bin) {
+    const double count = (counts[bin - 2] + 2 * counts[bin - 1] + 3 * counts[bin] +
+                          2 * counts[bin + 1] + counts[bin + 2]) *
+                         std::exp(-std::abs(bin - kRatioBins) * kRatioBin / kUsualChange);
+    if (count <= most) continue;
+    most = count;
+    usual = bin;
+  }
+  return std::exp((usual - kRatioBins) * kRatioBin);
 }
 
 // Largest difference [grey levels] that two lights make on a pixel of medium brightness.
@@ -98,9 +128,9 @@ double difference_of(const cv::Vec4d& a, const cv::Vec4d& b) {
   return 128 * (std::abs(d[0]) + std::abs(d[1]) / 2 + std::abs(d[2]) / 2) + std::abs(d[3]);
 }
 
-ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
+ChannelLight fit_channel(const std::vector<Sample>& samples, double ratio, bool planar) {
   if (samples.size() < kFewest) return {};
-  cv::Vec4d light(0, 0, 0, median_difference(samples));
+  cv::Vec4d light(ratio - 1, 0, 0, 0);
   for (int round = 0; round < kRounds; ++round) {
     const double cut = (round == 0 ? 4 : 3) * spread_of(samples, light);
     const cv::Vec4d next = reweighted(samples, light, cut, planar);
@@ -115,8 +145,9 @@ ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
 
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar) {
   const Samples samples = samples_of(before, after, trusted);
+  const double ratio = usual_ratio(samples);
   Light light;
-  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], planar);
+  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], ratio, planar);
   return light;
 }
 
