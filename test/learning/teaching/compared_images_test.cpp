@@ -40,7 +40,7 @@ class LightChanged : public testing::Test {
     lesson.region = {};
     EXPECT_EQ(error_for(lesson), LearnError::kChangeTooLarge);
     lesson.region = cv::Rect(0, 0, 320, 200);
-    EXPECT_EQ(error_for(lesson), LearnError::kChangeTooLarge) << "no place, more than a quarter";
+    EXPECT_EQ(error_for(lesson), LearnError::kChangeTooLarge) << "no place, more than half";
     expect_right_map(lesson, drawn_.lesson.region, {});
     expect_right_map(lesson, {}, cv::Point2d(160, 120));
   }

@@ -18,7 +18,9 @@ namespace {
 constexpr int kLeastRing = 40;          // [px] least width of the ring
 constexpr uchar kGlare = 247;           // [grey levels] brighter pixels may be clipped
 constexpr float kShadow = 0.15F;        // part of the light that a shadow takes at least
-constexpr float kDark = 30;             // [grey levels, three channels] added to both images
+constexpr float kDark = 30;             // [grey levels, three channels] noise on black is no shadow
+constexpr double kLeastQuiet = 0.15;    // part of the ring
+constexpr double kFewestQuiet = 2000;   // [px] enough for a fit
 constexpr double kLeastTrusted = 0.15;  // part of the window; a smaller ring is too thin
 
 cv::Mat floats(const cv::Mat& image) {
@@ -45,43 +47,48 @@ cv::Mat ring_of(const cv::Rect& window, const cv::Rect& region, const cv::Mat& c
   return ~near_change;
 }
 
-// Differences of the images after correction by `light`, in 7 x 7 pixels.
-struct RemainingDifference {
-  cv::Mat any;    // CV_32FC1, mean sum of the channels' differences [grey levels]
-  cv::Mat light;  // CV_32FC1, part of the light that one image has less
-};
-
-RemainingDifference remaining_difference(const cv::Mat& before, const cv::Mat& after,
-                                         const Light& light) {
-  cv::Mat any(before.size(), CV_32FC1), sums_before(before.size(), CV_32FC1),
-      sums_after = sums_before.clone();
+// Difference of the images after correction by `light`, summed over channels, averaged over 7 x 7
+// pixels.
+cv::Mat remaining_difference(const cv::Mat& before, const cv::Mat& after, const Light& light) {
+  cv::Mat difference(before.size(), CV_32FC1);
   imaging::for_each_strip(before.rows, [&](const cv::Range& rows) {
-    const cv::Matx13f sum(1, 1, 1);
-    cv::Mat lit = apply_light(after, light, rows), given = floats(before.rowRange(rows));
-    cv::Mat part = any.rowRange(rows), part_before = sums_before.rowRange(rows),
-            part_after = sums_after.rowRange(rows);
-    cv::transform(lit, part_after, sum);
-    cv::transform(given, part_before, sum);
-    cv::absdiff(given, lit, lit);
-    cv::transform(lit, part, sum);
+    cv::Mat lit = apply_light(after, light, rows), part = difference.rowRange(rows);
+    cv::absdiff(floats(before.rowRange(rows)), lit, lit);
+    cv::transform(lit, part, cv::Matx13f(1, 1, 1));
   });
-  for (cv::Mat* values : {&any, &sums_before, &sums_after}) cv::blur(*values, *values, {7, 7});
-  const cv::Mat brighter = cv::max(sums_before, sums_after) + kDark;
-  return {any, cv::abs(sums_before - sums_after) / brighter};
+  cv::blur(difference, difference, {7, 7});
+  return difference;
 }
 
-// Ring pixels in patches that still differ (a moved neighbour, the gripper, a shadow) are excluded,
-// unless hardly any would remain, because then the fit itself was wrong.
-cv::Mat without_changed_blobs(const RemainingDifference& difference, const cv::Mat& ring) {
+// Pixels whose brightness over 7 x 7 pixels differs as in a shadow that lies in one image only;
+// both are CV_32FC3.
+cv::Mat shadows_of(const cv::Mat& before, const cv::Mat& lit) {
+  const auto brightness = [](const cv::Mat& image) {
+    cv::Mat sum;
+    cv::transform(image, sum, cv::Matx13f(1, 1, 1));
+    cv::blur(sum, sum, {7, 7});
+    return sum;
+  };
+  const cv::Mat b = brightness(before), a = brightness(lit);
+  return cv::abs(b - a) > kShadow * (cv::max(b, a) + kDark);
+}
+
+// Ring pixels without `blobs` and their surroundings; all of them if hardly any would remain,
+// because then the fit itself was wrong.
+cv::Mat without_blobs(cv::Mat blobs, const cv::Mat& ring) {
+  cv::dilate(blobs, blobs, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
+  const cv::Mat quiet = ring & ~blobs;
+  const double least = std::max(kFewestQuiet, kLeastQuiet * cv::countNonZero(ring));
+  return cv::countNonZero(quiet) > least ? quiet : ring;
+}
+
+// Ring pixels in patches that still differ (a moved neighbour, the gripper) are excluded.
+cv::Mat without_changed_blobs(const cv::Mat& difference, const cv::Mat& ring) {
   std::vector<float> values;
   for (int y = 0; y < ring.rows; y += 3)
     for (int x = 0; x < ring.cols; x += 3)
-      if (ring.at<uchar>(y, x)) values.push_back(difference.any.at<float>(y, x));
-  cv::Mat blobs = difference.any > std::max(12.F, 3.5F * numeric::median(values));
-  blobs |= difference.light > kShadow;
-  cv::dilate(blobs, blobs, cv::getStructuringElement(cv::MORPH_ELLIPSE, {9, 9}));
-  const cv::Mat quiet = ring & ~blobs;
-  return cv::countNonZero(quiet) > 0.15 * cv::countNonZero(ring) ? quiet : ring;
+      if (ring.at<uchar>(y, x)) values.push_back(difference.at<float>(y, x));
+  return without_blobs(difference > std::max(12.F, 3.5F * numeric::median(values)), ring);
 }
 
 // A clipped pixel is only a lower bound of the brightness: if the other image is bright as well,
@@ -131,6 +138,7 @@ class Alignment {
 
   AlignedPair result() {
     const cv::Mat before = floats(before_);
+    trusted_ = without_blobs(shadows_of(before, lit_), trusted_);
     censor_glare(before, moved_, lit_);
     return {window_, before, lit_, trusted_, shift_};
   }

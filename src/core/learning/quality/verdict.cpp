@@ -15,6 +15,7 @@ namespace {
 constexpr double kAlike = 0.7;
 constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
+constexpr double kCutOff = 0.03;    // [0..1] part of the outline at which the object may continue
 constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its holes filled
 constexpr double kHugeHole = 0.4;   // if it belongs to the object, the map has an IoU below .6
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
@@ -139,15 +140,15 @@ struct OutlineRisk {
   // already.
   const char* dominant_reason(bool touch_told) const {
     const double unstable = instability - 0.5, weak = weakness - 0.5, underfilled = span - 0.7;
-    if (!touch_told && touch > std::max({unstable, weak, underfilled, 0.0})) return kTouches;
+    if (!touch_told && touch > std::max({unstable, weak, underfilled, 2 * kCrossing}))
+      return kTouches;
     if (unstable >= weak && unstable >= underfilled) return "unstable_cut";
     return weak >= underfilled ? "weak_boundary" : "little_of_region";
   }
 };
 
 void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollector& reasons) {
-  const bool cut_off = evidence.cut_off > 0.03;
-  reasons.above(kTouches, cut_off ? 1 : 0, 0.5, kNever);
+  reasons.above(kTouches, evidence.cut_off, kCutOff, kNever);
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
   reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kHugeHole);
@@ -156,7 +157,8 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
                                : OutlineRisk::of_one_image(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
-  reasons.above(risk.dominant_reason(cut_off), risk.probability(), kGoodRisk, kBadRisk);
+  reasons.above(risk.dominant_reason(evidence.cut_off > kCutOff), risk.probability(), kGoodRisk,
+                kBadRisk);
   // If the map crosses the region's edge, it is unknown where a shadow would end; an object lies
   // inside the region.
   const bool crosses = evidence.region_touch > kCrossing;

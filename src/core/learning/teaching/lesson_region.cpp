@@ -67,7 +67,7 @@ cv::Rect region_of_change(const Lesson& lesson, const ChangeSurvey& survey, cons
 // Whether the operator's input shows the object's place more precisely than the change does. The
 // verdict then tells whether the images were good enough.
 bool shows_place(const Lesson& lesson) {
-  constexpr double kPlacePart = 0.25;  // of the image
+  constexpr double kPlacePart = 0.5;  // of the image
   return lesson.click || !lesson.outline.empty() ||
          (lesson.region != cv::Rect() &&
           usable_region(lesson).area() < kPlacePart * static_cast<double>(lesson.before.total()));
