@@ -2,6 +2,7 @@
 #include "nodelets/learning/lesson_server.hpp"
 
 #include <algorithm>
+#include <string>
 #include <utility>
 
 #include "nodelets/learning/outcome.hpp"
@@ -15,6 +16,11 @@ using Result = mbncc_vision::LearnObjectResult;
 // roscpp sends a published message on another thread; an action server that is destroyed at once
 // would lose the result.
 constexpr std::chrono::milliseconds kResultFlushTime{100};
+
+// Text of the goal's status: all that a client learns if the result is lost.
+std::string text_of(const Result& result) {
+  return result.hint.empty() ? result.message : result.message + " " + result.hint;
+}
 
 }  // namespace
 
@@ -110,12 +116,12 @@ bool LessonServer::reserve(const std::shared_ptr<LessonClient>& client) {
 void LessonServer::on_goal(LessonClient::Handle handle) {
   server_.forget_images();
   const auto goal = handle.getGoal();
-  if (const auto refused = refusal(*goal)) return handle.setRejected(*refused, refused->message);
+  if (const auto refused = refusal(*goal)) return handle.setRejected(*refused, text_of(*refused));
   const auto client =
       std::make_shared<LessonClient>(handle, goal->timeout.toSec(), default_timeout_);
   if (!reserve(client)) {
     const Result busy = outcome(LearnError::kBusy);
-    return handle.setRejected(busy, busy.message);
+    return handle.setRejected(busy, text_of(busy));
   }
   handle.setAccepted();
   const std::lock_guard<std::mutex> lock(mutex_);
@@ -161,8 +167,8 @@ Result LessonServer::teach_safely(LessonClient& client) {
 void LessonServer::finish(LessonClient& client, const Result& result) {
   if (result.error_code == Result::SUCCESS) return client.handle_.setSucceeded(result);
   if (client.cancelled_ && result.error_code == Result::CANCELLED)
-    return client.handle_.setCanceled(result, result.message);
-  client.handle_.setAborted(result, result.message);
+    return client.handle_.setCanceled(result, text_of(result));
+  client.handle_.setAborted(result, text_of(result));
 }
 
 }  // namespace mbncc::nodelets

@@ -44,22 +44,29 @@ def kill_learning(namespace):
 
 
 class LostResult:
-    """A server of the action that rejects each goal; its result does not arrive."""
+    """A server of the action that ends each goal with `status`; its result does not arrive."""
 
-    def __init__(self, namespace, reason):
+    def __init__(self, namespace, status, text):
         topic = namespace + "/learn_object/"
-        self._reason = reason
-        self._rejected = GoalStatusArray()
+        self._ended = GoalStatus(status=status, text=text)
+        self._goals = GoalStatusArray()
         self._status = rospy.Publisher(topic + "status", GoalStatusArray, queue_size=1)
-        self._unused = [rospy.Publisher(topic + "feedback", LearnObjectActionFeedback, queue_size=1),
+        self._topics = [self._status,
+                        rospy.Publisher(topic + "feedback", LearnObjectActionFeedback, queue_size=1),
                         rospy.Publisher(topic + "result", LearnObjectActionResult, queue_size=1),
-                        rospy.Subscriber(topic + "cancel", GoalID, lambda _: None)]
-        self._goals = rospy.Subscriber(topic + "goal", LearnObjectActionGoal, self._reject)
-        self._timer = rospy.Timer(rospy.Duration(0.2), lambda _: self._status.publish(self._rejected))
+                        rospy.Subscriber(topic + "cancel", GoalID, lambda _: None),
+                        rospy.Subscriber(topic + "goal", LearnObjectActionGoal, self._end)]
+        self._timer = rospy.Timer(rospy.Duration(0.2), lambda _: self._status.publish(self._goals))
 
-    def _reject(self, goal):
-        self._rejected = GoalStatusArray(status_list=[
-            GoalStatus(goal_id=goal.goal_id, status=GoalStatus.REJECTED, text=self._reason)])
+    def _end(self, goal):
+        self._ended.goal_id = goal.goal_id
+        self._goals = GoalStatusArray(status_list=[self._ended])
+
+    def stop(self):
+        self._timer.shutdown()
+        self._timer.join()
+        for topic in self._topics:
+            topic.unregister()
 
 
 class Teach(unittest.TestCase):
@@ -117,13 +124,24 @@ class Teach(unittest.TestCase):
     def test_a_restarted_server_has_lost_the_lesson(self):
         self.assertIn("teach again", self.lost_lesson("/reborn"))
 
-    def test_a_lost_result_is_replaced_by_the_status_of_the_goal(self):
-        server = LostResult("/mute", "Not today.")
+    def without_result(self, status, text):
+        """Exit code and output of a lesson whose result is lost."""
+        server = LostResult("/mute", status, text)
+        self.addCleanup(server.stop)
         program = self.start("part", namespace="/mute")
-        said, _ = program.communicate()
-        del server
-        self.assertEqual(program.returncode, 1, said)
-        self.assertEqual(said, "error: Not today.\n")
+        self.addCleanup(program.kill)
+        said, _ = program.communicate(timeout=PATIENCE)
+        return program.returncode, said
+
+    def test_a_lost_refusal_is_told_by_the_status_of_the_goal(self):
+        code, said = self.without_result(GoalStatus.REJECTED, "Set overwrite.")
+        self.assertEqual(code, 1, said)
+        self.assertIn("error: Set --overwrite.", said)
+
+    def test_a_lost_verdict_is_no_failure(self):
+        code, said = self.without_result(GoalStatus.SUCCEEDED, "")
+        self.assertEqual(code, 0, said)
+        self.assertIn("Stored", said)
 
     def test_a_bad_name_ends_at_once_with_a_reason(self):
         known_names()
