@@ -195,25 +195,5 @@ TEST(Quality, EvidenceAgainstTheCutIsNamed) {
   EXPECT_NE(verdict_with(weak, "weak_boundary"), Verdict::kGood);
 }
 
-// An outline that partly lies on the region's edge is wrong more often than its other measures
-// tell.
-TEST(Quality, AnOutlineOnTheRegionsEdgeRaisesTheRisk) {
-  const DrawnLesson drawn = draw_lesson();
-  CutEvidence evidence;
-  evidence.stability = 0.92;
-  evidence.boundary_contrast = 0.85;
-  const Quality inside = quality_of(drawn.lesson.before, drawn.truth, evidence);
-  EXPECT_EQ(inside.verdict, Verdict::kGood);
-  evidence.region_touch = 0.2;
-  const Quality touching = quality_of(drawn.lesson.before, drawn.truth, evidence);
-  EXPECT_EQ(touching.verdict, Verdict::kMarginal);
-  EXPECT_TRUE(has_reason(touching, "touches_region_edge"));
-  EXPECT_LT(touching.outline_probability, inside.outline_probability);
-
-  evidence.cut_off = 0.4;  // the same reason, told once
-  const Quality cut_off = quality_of(drawn.lesson.before, drawn.truth, evidence);
-  EXPECT_EQ(std::count(cut_off.reasons.begin(), cut_off.reasons.end(), "touches_region_edge"), 1);
-}
-
 }  // namespace
 }  // namespace mbncc

@@ -18,9 +18,6 @@ constexpr double kSettled = 0.05;     // [grey levels] a smaller change of the l
 constexpr double kLeastSpread = 0.5;  // [grey levels] least spread, from rounding alone
 constexpr float kNoShadow = 0.15F;    // part of the light, less than a shadow takes
 constexpr float kLeastShadow = 8;     // [grey levels] added, because dark pixels are noisy
-constexpr double kUsualChange = 0.5;  // log of a ratio; the light seldom changes more
-constexpr double kRatioBin = 0.03;    // log of a ratio
-constexpr int kRatioBins = 40;        // ratios up to 3.1 are found
 constexpr double kFrozen = 1e12;      // prior that keeps a term at 0
 
 // One equation: difference = a g + a u gx + a v gy + offset.
@@ -96,51 +93,11 @@ cv::Vec4d reweighted(const std::vector<Sample>& samples, const cv::Vec4d& light,
   return normal.solve(right, cv::DECOMP_CHOLESKY);
 }
 
-// Bin of the ratio of the images' brightness at sample `i`, 0 for 1.
-int ratio_bin(const Samples& samples, std::size_t i) {
-  float after = 1, before = 1;
-  for (const auto& channel : samples) {
-    after += std::max(0.F, channel[i].terms[0]);
-    before += std::max(0.F, channel[i].terms[0] + channel[i].difference);
-  }
-  return cvRound(std::log(before / after) / kRatioBin);
-}
-
-// Bin of the most frequent ratio, the less likely the further it is from 1. Parts of the platform
-// that are in a shadow in one of the images have other ratios, so that a mean or median may lie
-// between them.
-int usual_bin(const std::vector<int>& bins) {
-  constexpr int kLast = 2 * kRatioBins;
-  std::array<double, kLast + 1> counts{};
-  for (const int bin : bins)
-    if (bin >= -kRatioBins && bin <= kRatioBins) ++counts[bin + kRatioBins];
-  int usual = kRatioBins;
-  double most = 0;
-  for (int bin = 2; bin + 2 <= kLast; ++bin) {
-    const double count = (counts[bin - 2] + 2 * counts[bin - 1] + 3 * counts[bin] +
-                          2 * counts[bin + 1] + counts[bin + 2]) *
-                         std::exp(-std::abs(bin - kRatioBins) * kRatioBin / kUsualChange);
-    if (count <= most) continue;
-    most = count;
-    usual = bin;
-  }
-  return usual - kRatioBins;
-}
-
-// Ratio of each channel where the brightness has the usual ratio.
-cv::Vec3d usual_ratios(const Samples& samples) {
-  std::vector<int> bins(samples[0].size());
-  for (std::size_t i = 0; i < bins.size(); ++i) bins[i] = ratio_bin(samples, i);
-  const int usual = usual_bin(bins);
-  cv::Vec3d before(1, 1, 1), after(1, 1, 1);
-  for (std::size_t i = 0; i < bins.size(); ++i) {
-    if (std::abs(bins[i] - usual) > 2) continue;
-    for (int c = 0; c < 3; ++c) {
-      after[c] += samples[c][i].terms[0];
-      before[c] += samples[c][i].terms[0] + samples[c][i].difference;
-    }
-  }
-  return {before[0] / after[0], before[1] / after[1], before[2] / after[2]};
+float median_difference(const std::vector<Sample>& samples) {
+  std::vector<float> differences;
+  differences.reserve(samples.size());
+  for (const auto& sample : samples) differences.push_back(static_cast<float>(sample.difference));
+  return numeric::median(differences);
 }
 
 // Largest difference [grey levels] that two lights make on a pixel of medium brightness.
@@ -149,9 +106,9 @@ double difference_of(const cv::Vec4d& a, const cv::Vec4d& b) {
   return 128 * (std::abs(d[0]) + std::abs(d[1]) / 2 + std::abs(d[2]) / 2) + std::abs(d[3]);
 }
 
-ChannelLight fit_channel(const std::vector<Sample>& samples, double ratio, bool planar) {
+ChannelLight fit_channel(const std::vector<Sample>& samples, bool planar) {
   if (samples.size() < kFewest) return {};
-  cv::Vec4d light(ratio - 1, 0, 0, 0);
+  cv::Vec4d light(0, 0, 0, median_difference(samples));
   for (int round = 0; round < kRounds; ++round) {
     const double cut = (round == 0 ? 4 : 3) * spread_of(samples, light);
     const cv::Vec4d next = reweighted(samples, light, cut, planar);
@@ -166,9 +123,8 @@ ChannelLight fit_channel(const std::vector<Sample>& samples, double ratio, bool 
 
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar) {
   const Samples samples = samples_of(before, after, trusted);
-  const cv::Vec3d ratios = usual_ratios(samples);
   Light light;
-  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], ratios[c], planar);
+  for (int c = 0; c < 3; ++c) light[c] = fit_channel(samples[c], planar);
   return light;
 }
 

@@ -20,8 +20,8 @@ struct ChannelLight {
 using Light = std::array<ChannelLight, 3>;
 
 /// Robust fit (Tukey weights) over the pixels of `trusted` (CV_8UC1); images are CV_8UC3 or
-/// CV_32FC3. It starts at the most frequent ratio of brightness and leaves out pixels that deviate
-/// by more than 15 % and 8 grey levels, because they may be in a shadow in one of the images.
+/// CV_32FC3. Pixels that deviate by more than 15 % and 8 grey levels are left out, because they may
+/// be in a shadow in one of the images.
 /// Without `planar` the gain is constant. Fewer than 200 samples give the identity.
 Light fit_light(const cv::Mat& before, const cv::Mat& after, const cv::Mat& trusted, bool planar);
 

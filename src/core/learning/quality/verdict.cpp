@@ -15,12 +15,9 @@ namespace {
 constexpr double kAlike = 0.7;
 constexpr double kPlain = 6;        // [grey levels] a plain surface deviates less under the map
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
-constexpr double kCutOff = 0.03;    // [0..1] part of the outline at which the object may continue
 constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its holes filled
 constexpr double kHugeHole = 0.4;   // if it belongs to the object, the map has an IoU below .6
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
-
-constexpr const char* kTouches = "touches_region_edge";
 
 // Reasons against a lesson.
 struct Reason {
@@ -37,7 +34,7 @@ constexpr std::array<Reason, 18> kReasons{{
     {"not_distinct",
      "Something else in the image looks the same and will also be found: take it away if it "
      "is another object."},
-    {kTouches, "Draw a larger region, with platform on every side of the object."},
+    {"touches_region_edge", "Draw a larger region, with platform on every side of the object."},
     {"change_outside_region",
      "Move only this object between the images, and keep arm and hands out of both."},
     {"change_left_out",
@@ -115,40 +112,35 @@ constexpr double kBadRisk = 0.5;
 // lessons with the faults of real cameras, and to lessons from photographs
 // (docs/decisions/0011-verdict.md).
 struct OutlineRisk {
-  double usual, instability, weakness, change, span, touch;  // log-odds
+  double usual, instability, weakness, change, span;  // log-odds
 
   static OutlineRisk by_change(const CutEvidence& evidence, double edge_agreement) {
     return {
-        -2.5,
-        7.7 * (1 - evidence.stability),
+        -2.5, 7.7 * (1 - evidence.stability),
         1.75 * (1 - evidence.boundary_contrast) + 2.4 * (1 - edge_agreement),
         1.6 * std::min(evidence.change_outside, 0.3) + 0.9 * std::min(evidence.change_beside, 0.5),
-        0,
-        2 * std::min(evidence.region_touch, 0.15)};
+        0};
   }
 
   static OutlineRisk of_one_image(const CutEvidence& evidence, double edge_agreement) {
-    return {-2.2, 3.1 * (1 - evidence.stability),   4.2 * (1 - edge_agreement),
-            0,    2.5 * (1 - evidence.region_span), 0};
+    return {-2.2, 3.1 * (1 - evidence.stability), 4.2 * (1 - edge_agreement), 0,
+            2.5 * (1 - evidence.region_span)};
   }
 
   double probability() const {
-    return 1 / (1 + std::exp(-usual - instability - weakness - change - span - touch));
+    return 1 / (1 + std::exp(-usual - instability - weakness - change - span));
   }
 
-  // The measure that deviates most from a typical good lesson. `touch_told`: it is a reason
-  // already.
-  const char* dominant_reason(bool touch_told) const {
+  // The measure that deviates most from a typical good lesson.
+  const char* dominant_reason() const {
     const double unstable = instability - 0.5, weak = weakness - 0.5, underfilled = span - 0.7;
-    if (!touch_told && touch > std::max({unstable, weak, underfilled, 2 * kCrossing}))
-      return kTouches;
     if (unstable >= weak && unstable >= underfilled) return "unstable_cut";
     return weak >= underfilled ? "weak_boundary" : "little_of_region";
   }
 };
 
 void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollector& reasons) {
-  reasons.above(kTouches, evidence.cut_off, kCutOff, kNever);
+  reasons.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
   reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kHugeHole);
@@ -157,8 +149,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)
                                : OutlineRisk::of_one_image(evidence, quality.edge_agreement);
   quality.outline_probability = 1 - risk.probability();
-  reasons.above(risk.dominant_reason(evidence.cut_off > kCutOff), risk.probability(), kGoodRisk,
-                kBadRisk);
+  reasons.above(risk.dominant_reason(), risk.probability(), kGoodRisk, kBadRisk);
   // If the map crosses the region's edge, it is unknown where a shadow would end; an object lies
   // inside the region.
   const bool crosses = evidence.region_touch > kCrossing;
