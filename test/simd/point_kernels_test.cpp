@@ -79,6 +79,21 @@ TEST_P(PointKernels, NormalsEqualReference) {
   }
 }
 
+TEST_P(PointKernels, ResponsesAreTheSameAtEveryReach) {
+  const Placement placement = random_placement();
+  const auto readings_at = [&](int reach) {
+    std::vector<float> near(static_cast<std::size_t>(2 * count())), far = near;
+    const NormalReadings readings{near.data(), near.data() + count(),
+                                  reach > 0 ? far.data() : nullptr,
+                                  reach > 0 ? far.data() + count() : nullptr};
+    vectorised_points().read_along_normals_at(image(), points(), normal_x_.data(), normal_y_.data(),
+                                              placement, reach, readings);
+    return near;
+  };
+  EXPECT_EQ(readings_at(0), readings_at(1));
+  EXPECT_EQ(readings_at(0), readings_at(2));
+}
+
 TEST_P(PointKernels, AgreementsEqualReference) {
   const Placement placement = random_placement();
   std::vector<float> expected(static_cast<std::size_t>(count())), actual = expected;

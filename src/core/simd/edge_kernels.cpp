@@ -43,9 +43,34 @@ void place_normals(const float* __restrict px, const float* __restrict py,
   }
 }
 
-/// `near`: the reading counts for the best response.
+/// The responses `step` pixels along the normals.
 MBNCC_CLONES
-void read_step(const Image8& image, int count, float step, bool near, NormalGroup& group) {
+void read_responses(const Image8& image, int count, float step, NormalGroup& group) {
+  const float right = static_cast<float>(image.columns) - 1.01f;
+  const float bottom = static_cast<float>(image.rows) - 1.01f;
+  const int stride = image.step;
+  float inside[kGroup];
+  std::int32_t at[kGroup];
+  for (int i = 0; i < count; ++i) {
+    const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
+    const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
+    const float inside_x = clamped(x, 1, right), inside_y = clamped(y, 1, bottom);
+    const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
+    inside[i] = in_x * in_y;
+    at[i] = static_cast<int>(inside_y) * stride + 2 * static_cast<int>(inside_x);
+  }
+  std::uint32_t edges[kGroup];
+  for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);
+  for (int i = 0; i < count; ++i) {
+    const float response = group.double_x[i] * x_of(edges[i]) + group.double_y[i] * y_of(edges[i]);
+    const float candidate = inside[i] > 0 ? response : -2.f;
+    group.best[i] = group.best[i] > candidate ? group.best[i] : candidate;
+  }
+}
+
+/// The same, with what pull and moment need. `near`: the reading counts for the best response.
+MBNCC_CLONES
+void read_pulls(const Image8& image, int count, float step, bool near, NormalGroup& group) {
   const float right = static_cast<float>(image.columns) - 1.01f;
   const float bottom = static_cast<float>(image.rows) - 1.01f;
   const int stride = image.step;
@@ -79,11 +104,18 @@ void read_step(const Image8& image, int count, float step, bool near, NormalGrou
 }
 
 MBNCC_CLONES
-void report_normals(const NormalGroup& group, int count, float* __restrict response,
-                    float* __restrict seen, float* __restrict pull, float* __restrict moment) {
+void report_responses(const NormalGroup& group, int count, float* __restrict response,
+                      float* __restrict seen) {
   for (int i = 0; i < count; ++i) {
     seen[i] = group.best[i] > -2.f ? 1.f : 0.f;
     response[i] = group.best[i] > -2.f ? group.best[i] : 0.f;
+  }
+}
+
+MBNCC_CLONES
+void report_pulls(const NormalGroup& group, int count, float* __restrict pull,
+                  float* __restrict moment) {
+  for (int i = 0; i < count; ++i) {
     pull[i] = group.strongest[i];
     moment[i] = group.strongest[i] * group.moments[i] / (group.weights[i] + 1e-12f);
   }
@@ -126,10 +158,12 @@ void read_along_normals_vectorised(const Image8& image, const Points& points, co
   for (int k = 0; k < points.count; k += kGroup) {
     const int count = std::min(kGroup, points.count - k);
     place_normals(points.x + k, points.y + k, normal_x + k, normal_y + k, count, placement, group);
-    for (int step = -reach; step <= reach; ++step)
-      read_step(image, count, static_cast<float>(step), step >= -1 && step <= 1, group);
-    report_normals(group, count, readings.response + k, readings.seen + k, readings.pull + k,
-                   readings.moment + k);
+    if (reach == 0)
+      for (const float step : {-1.f, 0.f, 1.f}) read_responses(image, count, step, group);
+    for (int step = -reach; reach > 0 && step <= reach; ++step)
+      read_pulls(image, count, static_cast<float>(step), step >= -1 && step <= 1, group);
+    report_responses(group, count, readings.response + k, readings.seen + k);
+    if (reach > 0) report_pulls(group, count, readings.pull + k, readings.moment + k);
   }
 }
 

@@ -12,7 +12,8 @@ void sample_colours(const Image8& image, const Points& points, const Placement& 
                     const Colours& colours);
 
 /// Responses of an edge image (gradient_orientation.hpp) to edges across the unit normals, read at
-/// whole pixels up to `reach` along them. `image` has at least 3 x 3 pixels.
+/// whole pixels up to `reach` along them. At reach 0, only `response` and `seen` are written.
+/// `image` has at least 3 x 3 pixels.
 void read_along_normals(const Image8& image, const Points& points, const float* normal_x,
                         const float* normal_y, const Placement& placement, int reach,
                         const NormalReadings& readings);

@@ -55,7 +55,8 @@ void read_along_normals_reference(const Image8& image, const Points& points, con
     const float double_x = (normal.x * normal.x - normal.y * normal.y) / 127.f;
     const float double_y = 2.f * normal.x * normal.y / 127.f;
     float best = -2, weights = 0, moments = 0, strongest = 0;
-    for (int step = -reach; step <= reach; ++step) {
+    const int farthest = std::max(1, reach);
+    for (int step = -farthest; step <= farthest; ++step) {
       const float x = place.x + static_cast<float>(step) * normal.x + 0.5f;
       const float y = place.y + static_cast<float>(step) * normal.y + 0.5f;
       if (x < 1 || y < 1 || x > static_cast<float>(image.columns) - 1.01f ||
@@ -75,6 +76,7 @@ void read_along_normals_reference(const Image8& image, const Points& points, con
     }
     readings.seen[i] = best > -2 ? 1 : 0;
     readings.response[i] = best > -2 ? best : 0;
+    if (reach == 0) continue;
     readings.pull[i] = strongest;
     readings.moment[i] = strongest * moments / (weights + 1e-12f);
   }

@@ -29,12 +29,13 @@ struct Colours {
   float* inside;              ///< 1 inside, 0 outside the image
 };
 
-/// Edge readings near one contour point; all 0 where the image ends.
+/// Edge readings near contour points; all 0 where the image ends.
 struct NormalReadings {
   float* response;  ///< [-1..1] largest response within one pixel along the normal
   float* seen;      ///< 1 where `response` was read
-  float* pull;      ///< [0..1] largest response within reach
-  float* moment;    ///< `pull` times the mean distance [px] along the normal of the responses
+  float* pull;      ///< [0..1] largest response within reach; may be null at reach 0
+  float*
+      moment;  ///< `pull` times the mean distance [px] along the normal of the responses; as `pull`
 };
 
 }  // namespace mbncc::kernels

@@ -25,7 +25,7 @@ class ContourAlignment {
 
   /// contour_agreement() at `pose`.
   double at(const Pose2D& pose) {
-    templates::read_contour(contour_, pixels_.edges, pose, 1, sample_, scale_);
+    templates::read_contour(contour_, pixels_.edges, pose, 0, sample_, scale_);
     return templates::contour_agreement(contour_, sample_);
   }
 

@@ -94,7 +94,7 @@ double cast_penalty(double cast) {
 Evidence gather_evidence(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
                          const Pose2D& pose, double scale) {
   thread_local templates::PoseSample sample;
-  sample.read(object, scene, pose, 1, scale);
+  sample.read(object, scene, pose, 0, scale);
   return gather_evidence(object, scene, pose, sample, scale);
 }
 

@@ -163,7 +163,7 @@ InteriorDifference InteriorEdges::difference(const scene::SceneLevel& scene,
     largest = std::max(largest, group.size);
     if (group.reaches || group.size <= enclosed) continue;
     if (outline.response.empty())
-      templates::read_contour(contour, image.edges, pose, 1, outline, scale);
+      templates::read_contour(contour, image.edges, pose, 0, outline, scale);
     if (outline_is_found_beside(group.centre - anchor_, contour, outline)) enclosed = group.size;
   }
   return {largest / std::sqrt(area), enclosed / std::sqrt(area)};

@@ -50,7 +50,7 @@ class TornOutline {
   void read(int turn, int shift) {
     const double angle = turn * kArc / std::max(1.0, scale_ * contour_.radius());
     const Pose2D pose{pose_.x + shift * kShift, pose_.y, pose_.theta + angle};
-    templates::read_contour(contour_, pixels_.edges, pose, 1, sample_, scale_);
+    templates::read_contour(contour_, pixels_.edges, pose, 0, sample_, scale_);
     Sums& sums = responses_[kShifts + shift];
     sums.assign(1, 0);
     for (const std::size_t i : order_) sums.push_back(sums.back() + sample_.response[i]);

@@ -59,7 +59,7 @@ class Aligner {
     AlignedPose best{start, -2};
     Pose2D pose = start;
     // Only the value is needed at the last pose. It does not depend on distant edges.
-    for (int k = 0; linearise(pose, k == iterations ? 1 : kReach); ++k) {
+    for (int k = 0; linearise(pose, k == iterations ? 0 : kReach); ++k) {
       at_best_ = value_ > best.value;
       if (at_best_) best = {pose, value_};
       if (k == iterations) break;
@@ -72,7 +72,7 @@ class Aligner {
 
   ScoredPose run_to_evidence(const Pose2D& start, int iterations) {
     const Pose2D best = run(start, iterations).pose;
-    if (!at_best_) sample_.read(object_, scene_, best, 1);
+    if (!at_best_) sample_.read(object_, scene_, best, 0);
     return {best, evidence::gather_evidence(object_, scene_, best, sample_)};
   }
 

@@ -24,7 +24,7 @@ evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
   const templates::SurfaceTemplate& surface = view.fine.surface;
   const scene::PreparedPixels pixels = scene.around(found.pose, view.fine.reach() * found.scale);
   surface.sample(pixels, found.pose, sample, found.scale);
-  templates::read_contour(view.fine.contour, pixels.edges, found.pose, 1, contour, found.scale);
+  templates::read_contour(view.fine.contour, pixels.edges, found.pose, 0, contour, found.scale);
   return view.parts.worst_differences(
       surface, sample, contour,
       evidence::background_colour(view.fine.contour, scene, found.pose, found.scale));

@@ -47,7 +47,8 @@ struct ContourSample {
 };
 
 /// Reads `edges`, see smooth_and_find_edges(), at `pose`, up to `reach` [px] along the normals, the
-/// contour `scale` times (near 1) as large as the template.
+/// contour `scale` times (near 1) as large as the template. At reach 0, `pull` and `moment` are not
+/// read.
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale = 1);
 

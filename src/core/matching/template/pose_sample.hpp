@@ -24,7 +24,7 @@ struct PoseSample {
   SurfaceTemplate::Residual residual;  ///< of the surface, if enough is visible
 
   /// Reads the image at `pose`, the object `scale` times as large as the template, edges up to
-  /// `reach` [px] along the contour's normals.
+  /// `reach` [px] along the contour's normals, see read_contour().
   void read(const PoseTemplate& object, const scene::SceneLevel& scene, const Pose2D& pose,
             int reach, double scale = 1);
 };

@@ -36,6 +36,16 @@ struct Exposure {
 };
 
 MBNCC_CLONES
+bool any_saturated(const float* __restrict blue, const float* __restrict green,
+                   const float* __restrict red, const float* __restrict inside, std::size_t count) {
+  int saturated = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const float darkest = std::min(blue[i], std::min(green[i], red[i]));
+    saturated |= darkest >= kSaturated && inside[i] > 0 ? 1 : 0;
+  }
+  return saturated != 0;
+}
+
 Exposure exposure_of(const float* __restrict learned, const float* __restrict blue,
                      const float* __restrict green, const float* __restrict red,
                      const float* __restrict inside, std::size_t count) {
@@ -57,9 +67,10 @@ Exposure exposure_of(const float* __restrict learned, const float* __restrict bl
 // bright enough in the lesson may saturate in this light without a reflection.
 void SurfaceTemplate::leave_out_highlights(SurfaceSample& sample) const {
   const auto& [blue, green, red] = sample.planes;
+  if (!any_saturated(blue.data(), green.data(), red.data(), sample.inside.data(), padded())) return;
   const Exposure exposure = exposure_of(brightness.data(), blue.data(), green.data(), red.data(),
                                         sample.inside.data(), padded());
-  if (exposure.saturated == 0 || exposure.open <= exposure.saturated) return;
+  if (exposure.open <= exposure.saturated) return;
   const float gain = exposure.seen / std::max(1.F, exposure.learned);
   for (std::size_t i = 0; i < size(); ++i) {
     const bool saturated = std::min({blue[i], green[i], red[i]}) >= kSaturated;
