@@ -43,21 +43,33 @@ void place_normals(const float* __restrict px, const float* __restrict py,
   }
 }
 
+/// A pixel of an edge image.
+struct Pixel {
+  int column, row;  ///< moved to the image's border from outside
+  float inside;     ///< 1 if it was inside, else 0
+};
+
+/// The pixel `step` pixels along the normal of point i.
+inline Pixel pixel_along(const NormalGroup& group, int i, float step, const Image8& image) {
+  const float right = static_cast<float>(image.columns) - 1.01f;
+  const float bottom = static_cast<float>(image.rows) - 1.01f;
+  const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
+  const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
+  const float inside_x = clamped(x, 1, right), inside_y = clamped(y, 1, bottom);
+  const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
+  return {static_cast<int>(inside_x), static_cast<int>(inside_y), in_x * in_y};
+}
+
 /// The responses `step` pixels along the normals.
 MBNCC_CLONES
 void read_responses(const Image8& image, int count, float step, NormalGroup& group) {
-  const float right = static_cast<float>(image.columns) - 1.01f;
-  const float bottom = static_cast<float>(image.rows) - 1.01f;
   const int stride = image.step;
   float inside[kGroup];
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
-    const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
-    const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
-    const float inside_x = clamped(x, 1, right), inside_y = clamped(y, 1, bottom);
-    const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
-    inside[i] = in_x * in_y;
-    at[i] = static_cast<int>(inside_y) * stride + 2 * static_cast<int>(inside_x);
+    const Pixel pixel = pixel_along(group, i, step, image);
+    inside[i] = pixel.inside;
+    at[i] = pixel.row * stride + 2 * pixel.column;
   }
   std::uint32_t edges[kGroup];
   for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);
@@ -71,21 +83,15 @@ void read_responses(const Image8& image, int count, float step, NormalGroup& gro
 /// The same, with what pull and moment need. `near`: the reading counts for the best response.
 MBNCC_CLONES
 void read_pulls(const Image8& image, int count, float step, bool near, NormalGroup& group) {
-  const float right = static_cast<float>(image.columns) - 1.01f;
-  const float bottom = static_cast<float>(image.rows) - 1.01f;
   const int stride = image.step;
   float offset[kGroup], inside[kGroup];
   std::int32_t at[kGroup];
   for (int i = 0; i < count; ++i) {
-    const float x = group.x[i] + step * group.normal_x[i] + 0.5f;
-    const float y = group.y[i] + step * group.normal_y[i] + 0.5f;
-    const float inside_x = clamped(x, 1, right), inside_y = clamped(y, 1, bottom);
-    const float in_x = inside_x == x ? 1.f : 0.f, in_y = inside_y == y ? 1.f : 0.f;
-    const int column = static_cast<int>(inside_x), row = static_cast<int>(inside_y);
-    inside[i] = in_x * in_y;
-    offset[i] = (static_cast<float>(column) - group.x[i]) * group.normal_x[i] +
-                (static_cast<float>(row) - group.y[i]) * group.normal_y[i];
-    at[i] = row * stride + 2 * column;
+    const Pixel pixel = pixel_along(group, i, step, image);
+    inside[i] = pixel.inside;
+    offset[i] = (static_cast<float>(pixel.column) - group.x[i]) * group.normal_x[i] +
+                (static_cast<float>(pixel.row) - group.y[i]) * group.normal_y[i];
+    at[i] = pixel.row * stride + 2 * pixel.column;
   }
   std::uint32_t edges[kGroup];
   for (int i = 0; i < count; ++i) edges[i] = *reinterpret_cast<const EdgeWord*>(image.data + at[i]);
