@@ -164,12 +164,14 @@ void read_along_normals_vectorised(const Image8& image, const Points& points, co
   for (int k = 0; k < points.count; k += kGroup) {
     const int count = std::min(kGroup, points.count - k);
     place_normals(points.x + k, points.y + k, normal_x + k, normal_y + k, count, placement, group);
-    if (reach == 0)
+    if (reach == 0) {
       for (const float step : {-1.f, 0.f, 1.f}) read_responses(image, count, step, group);
-    for (int step = -reach; reach > 0 && step <= reach; ++step)
-      read_pulls(image, count, static_cast<float>(step), step >= -1 && step <= 1, group);
+    } else {
+      for (int step = -reach; step <= reach; ++step)
+        read_pulls(image, count, static_cast<float>(step), step >= -1 && step <= 1, group);
+      report_pulls(group, count, readings.pull + k, readings.moment + k);
+    }
     report_responses(group, count, readings.response + k, readings.seen + k);
-    if (reach > 0) report_pulls(group, count, readings.pull + k, readings.moment + k);
   }
 }
 

@@ -33,9 +33,9 @@ struct Colours {
 struct NormalReadings {
   float* response;  ///< [-1..1] largest response within one pixel along the normal
   float* seen;      ///< 1 where `response` was read
-  float* pull;      ///< [0..1] largest response within reach; may be null at reach 0
-  float*
-      moment;  ///< `pull` times the mean distance [px] along the normal of the responses; as `pull`
+  // May be null at reach 0:
+  float* pull;    ///< [0..1] largest response within reach
+  float* moment;  ///< `pull` times the mean distance [px] along the normal of the responses
 };
 
 }  // namespace mbncc::kernels
