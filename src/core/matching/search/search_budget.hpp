@@ -9,9 +9,9 @@ namespace mbncc::search {
 /// Budget for candidates. The defaults are those of the first search.
 struct SearchBudget {
   std::size_t contour_proposals = 400;  ///< poses of the contour search, at most
-  std::size_t best_by_contour = 100;    ///< the best of these by contour, at most
-  std::size_t judged = 64;    ///< candidates scored by all features at the first level, at most
-  std::size_t entering = 32;  ///< the best of these, which are aligned there, at most
+  std::size_t best_by_contour = 200;    ///< the best of these by contour, at most
+  std::size_t judged = 96;    ///< candidates scored by all features at the first level, at most
+  std::size_t entering = 48;  ///< the best of these, which are aligned there, at most
   double kept = 1;            ///< candidates at each level, times most_at()
 };
 
