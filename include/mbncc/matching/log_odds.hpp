@@ -38,11 +38,6 @@ struct LogOdds {
     const double wrong_size = other.resized > 0 ? 0 : other.colour + other.mirror;
     return other.without_print() + resized - other.resized + wrong_size;
   }
-  LogOdds without_calibration() const {
-    LogOdds odds = *this;
-    odds.calibration = 0;
-    return odds;
-  }
   double total() const { return uncalibrated() + calibration; }
   /// [0..1] total() as a probability.
   double score() const { return 1 / (1 + std::exp(-total())); }

@@ -66,8 +66,8 @@ struct Match {
 /// A candidate that was considered but not reported.
 struct Rival {
   std::string name;
-  cv::Point2d position;              ///< [px] of its reference point
-  LogOdds odds;                      ///< without calibration
+  cv::Point2d position;  ///< [px] of its reference point
+  LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px] see Match::outline
 
   double log_odds() const { return odds.uncalibrated(); }

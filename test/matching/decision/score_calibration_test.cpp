@@ -27,6 +27,10 @@ TEST(Calibration, AFirmContourRaisesTheScore) {
   EXPECT_LT(calibration_of(kAsGoodElsewhere), calibration_of(kFirm) - 1);
 }
 
+TEST(Calibration, AContourThatFitsAsWellNearbyAddsNothing) {
+  EXPECT_NEAR(calibration_of(kAsGoodElsewhere), 0, 0.3);
+}
+
 TEST(Calibration, ANearRotationLowersTheScore) {
   EXPECT_DOUBLE_EQ(calibration_of(kFirm, 10), calibration_of(kFirm)) << "far behind";
   EXPECT_LT(calibration_of(kFirm, 1), calibration_of(kFirm) - 2);

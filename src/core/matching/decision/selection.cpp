@@ -116,8 +116,8 @@ std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
   std::vector<Rival> rivals;
   for (const auto& detection : detections) {
     if (std::find(accepted.begin(), accepted.end(), &detection) != accepted.end()) continue;
-    rivals.push_back({detection.object->name, object_pose(detection).position(),
-                      detection.odds.without_calibration(), outline_at(detection)});
+    rivals.push_back({detection.object->name, object_pose(detection).position(), detection.odds,
+                      outline_at(detection)});
   }
   return rivals;
 }
