@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "matching/matcher_fixture.hpp"
 
 namespace mbncc {
@@ -71,6 +73,21 @@ TEST_F(ManyObjects, LookAlikesAreAmbiguousAmongMany) {
   ASSERT_EQ(result.matches.size(), 1u) << "one thing is not two";
   EXPECT_TRUE(result.matches[0].ambiguous);
   EXPECT_FALSE(result.matches[0].graspable);
+}
+
+TEST_F(ManyObjects, AllOfManyInstancesAreFound) {
+  std::vector<std::shared_ptr<const ObjectModel>> objects;
+  for (int k = 0; k < 6; ++k)
+    objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
+  cv::Mat scene = texture({840, 720}, 75, 4);
+  for (int k = 0; k < 42; ++k)
+    place(scene, LearningImage(2), reference_.position(),
+          {60.0 + 120 * (k % 7), 60.0 + 120 * (k / 7), 0.9 * k});
+  const SearchResult result = matcher_of(objects).find(scene);
+  EXPECT_EQ(
+      std::count_if(result.matches.begin(), result.matches.end(),
+                    [](const Match& match) { return match.name == "object2" && match.graspable; }),
+      42);
 }
 
 TEST_F(ManyObjects, AShortTimeBudgetSkipsObjectsByName) {

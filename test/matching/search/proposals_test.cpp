@@ -28,14 +28,16 @@ class ProposalsTest : public ::testing::Test {
   }
 
   /// The highest value of a proposal at the true pose; 0 if there is none.
-  double value_at_truth(const cv::Mat& image) const {
+  double value_at_truth(const cv::Mat& image,
+                        const std::vector<templates::Candidate>& known = {}) const {
     const prepared::PreparedView& view = object_->views.front();
     const scene::SceneImage scene(image, object_->top_level());
     const proposal::SearchMask everywhere;
-    const Proposals proposals(view, scene, {{0, 0}, image.size()}, everywhere);
+    Proposals proposals(view, scene, {{0, 0}, image.size()}, everywhere);
+    proposals.search_partial_contours();
     const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
     double best = 0;
-    for (const auto& one : proposals.by_partial_contour(200)) {
+    for (const auto& one : proposals.by_partial_contour(200, known, 10)) {
       const double side = 1 << one.level;
       if (cv::norm(side * one.pose.position() - anchor.position()) < 2 * side &&
           angle_distance(one.pose.theta, anchor.theta) * view.shape.radius() < 2 * side)
@@ -56,6 +58,13 @@ TEST_F(ProposalsTest, ACoveredPartDoesNotLowerTheVisiblePart) {
   const double free = value_at_truth(free_);
   ASSERT_GT(free, 0);
   EXPECT_GT(value_at_truth(covered), free - 0.03) << "the whole outline loses .05";
+}
+
+TEST_F(ProposalsTest, AKnownPlaceIsNotProposedAgain) {
+  const Pose2D anchor = compose(kTruth, inverse(object_->views.front().reference_in_anchor));
+  const Pose2D beside{anchor.x + 25, anchor.y, anchor.theta};
+  EXPECT_EQ(value_at_truth(free_, {{anchor, 0, 1}}), 0);
+  EXPECT_GT(value_at_truth(free_, {{beside, 0, 1}}), 0);
 }
 
 }  // namespace

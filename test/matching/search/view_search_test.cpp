@@ -8,6 +8,7 @@
 
 #include "matching/images.hpp"
 #include "matching/search/occupied_search.hpp"
+#include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -76,6 +77,36 @@ TEST_F(ViewSearchTest, TheSecondPassFindsMoreObjects) {
   EXPECT_GT(in_the_end, at_once);
 }
 
+// A reduced search misses some, which then have to compete where another object was found.
+TEST_F(ViewSearchTest, AMatcherComparesAMissedObjectAtThePlaceOfAnother) {
+  Matcher matcher;
+  matcher.set_objects({test::object_from(source_, {52, 60, 0})});
+  const prepared::PreparedView& view = object_.views.front();
+  int alone = 0, compared = 0;
+  for (unsigned k = 0; k < 12; ++k) {
+    cv::Mat image = busy_ground(20 + k);
+    const Pose2D truth{90.0 + 11 * k, 80.0 + 7 * k, 0.5 * k};
+    test::place(image, source_, kReference, truth);
+    SearchRequest request;
+    request.among = 50;
+    const auto candidates_at_truth = [&] {
+      const SearchResult result = matcher.find(image, request);
+      const auto is_there = [&](const auto& one, cv::Point2d position) {
+        return one.name == "object" && cv::norm(position - truth.position()) < 2;
+      };
+      return std::any_of(result.matches.begin(), result.matches.end(),
+                         [&](const Match& one) { return is_there(one, one.pose.position()); }) ||
+             std::any_of(result.rivals.begin(), result.rivals.end(),
+                         [&](const Rival& one) { return is_there(one, one.position); });
+    };
+    alone += candidates_at_truth();
+    const Pose2D anchor = compose(truth, inverse(view.reference_in_anchor));
+    request.occupied = {{{anchor.position(), view.shape.radius()}, cv::contourArea(view.outline)}};
+    compared += candidates_at_truth();
+  }
+  EXPECT_GT(compared, alone);
+}
+
 /// A plate with a half-turn symmetry except for a thin appendix, which displaces the centre of its
 /// excircle by 20 px and its centroid by two.
 test::LearningImage whiskered_plate() {
@@ -109,6 +140,23 @@ TEST_F(WhiskeredPlateTest, ProposesTheHalfTurnThatCoversThePlate) {
   EXPECT_TRUE(std::any_of(found.begin(), found.end(), [&](const decision::Detection& one) {
     return lies_at(one, half);
   })) << "the search proposes nothing there";
+}
+
+TEST_F(WhiskeredPlateTest, ProposesTheHalfTurnAtEachOfManyPlaces) {
+  const cv::Point2d middle = cv::Point2d(49.5, 59.5) - kReference;
+  cv::Mat image = test::texture({720, 720}, 78, 5);
+  std::vector<Pose2D> truths;
+  for (int k = 0; k < 16; ++k) {
+    truths.push_back({90.0 + 180 * (k % 4), 90.0 + 180 * (k / 4), 0.7 * k});
+    test::place(image, source_, kReference, truths.back());
+  }
+  const auto found = search(image, SearchMode::kThorough);
+  for (const Pose2D& truth : truths) {
+    const Pose2D half = compose(truth, {2 * middle.x, 2 * middle.y, kPi});
+    EXPECT_TRUE(std::any_of(found.begin(), found.end(),
+                            [&](const decision::Detection& one) { return lies_at(one, half); }))
+        << truth.x << ", " << truth.y;
+  }
 }
 
 TEST(SearchOccupied, RatesAnObjectAtThePlaceOfAnother) {

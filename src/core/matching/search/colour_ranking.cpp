@@ -51,20 +51,14 @@ class ColourLikelihood {
 
 }  // namespace
 
-std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
-                                                  const scene::SceneImage& scene,
-                                                  std::vector<templates::Candidate> poses,
-                                                  std::size_t most) {
+std::vector<templates::Candidate> ranked_by_colours(const prepared::PreparedView& view,
+                                                    const scene::SceneImage& scene,
+                                                    std::vector<templates::Candidate> poses) {
   if (!poses.empty() && scene.classes().last_level() >= view.colour_prefilter.level()) {
     const ColourLikelihood likelihood(view, scene, poses.front().level);
     for (auto& candidate : poses) candidate.value += kWeight * likelihood.mean(candidate.pose);
   }
-  const auto end = poses.begin() + static_cast<std::ptrdiff_t>(std::min(most, poses.size()));
-  std::partial_sort(poses.begin(), end, poses.end(),
-                    [](const templates::Candidate& a, const templates::Candidate& b) {
-                      return a.value > b.value;
-                    });
-  poses.erase(end, poses.end());
+  templates::sort_by_value(poses);
   return poses;
 }
 

@@ -2,7 +2,6 @@
 // Re-ranks contour proposals by the object's colours.
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
 #include "matching/prepared/prepared_object.hpp"
@@ -11,12 +10,11 @@
 
 namespace mbncc::search {
 
-/// The `most` best of `poses` by mean response plus weighted colour log-odds, best first; that sum
-/// becomes their value. All poses are at one level, and their value is the mean response [-1..1].
-/// In images too small for colours, only the response is used.
-std::vector<templates::Candidate> best_by_colours(const prepared::PreparedView& view,
-                                                  const scene::SceneImage& scene,
-                                                  std::vector<templates::Candidate> poses,
-                                                  std::size_t most);
+/// `poses` by mean response plus weighted colour log-odds, best first; that sum becomes their
+/// value. All poses are at one level, and their value is the mean response [-1..1]. In images too
+/// small for colours, only the response is used.
+std::vector<templates::Candidate> ranked_by_colours(const prepared::PreparedView& view,
+                                                    const scene::SceneImage& scene,
+                                                    std::vector<templates::Candidate> poses);
 
 }  // namespace mbncc::search

@@ -36,19 +36,29 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
   return object.views.size() > 1 ? decision::resolve_rotations(std::move(found)) : found;
 }
 
+/// Number of likely detections.
+std::size_t likely(const std::vector<decision::Detection>& detections) {
+  return static_cast<std::size_t>(std::count_if(
+      detections.begin(), detections.end(),
+      [](const decision::Detection& one) { return one.log_odds() >= kMinFoundOdds; }));
+}
+
 }  // namespace
 
-// An instance fits one of several views best, so all views are searched thoroughly only if the
-// quick search finds nothing.
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode) {
-  if (is_reduced(mode) || object.views.size() == 1) return search_views(object, scene, roi, mode);
+  if (is_reduced(mode)) {
+    // Its few candidates do not suffice for many instances.
+    const auto found = search_views(object, scene, roi, mode);
+    return likely(found) < kManyFound ? found
+                                      : search_views(object, scene, roi, SearchMode::kThorough);
+  }
+  if (object.views.size() == 1) return search_views(object, scene, roi, mode);
+  // An instance fits one of several views best, so all views are searched thoroughly only if the
+  // quick search finds nothing.
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
-  const bool enough = std::any_of(
-      found.begin(), found.end(),
-      [](const decision::Detection& detection) { return detection.log_odds() >= kMinFoundOdds; });
-  return enough ? found : search_views(object, scene, roi, mode);
+  return likely(found) > 0 ? found : search_views(object, scene, roi, mode);
 }
 
 }  // namespace mbncc::search

@@ -53,12 +53,26 @@ std::vector<templates::Candidate> Proposals::by_edges(std::size_t most) const {
           edges_.begin() + static_cast<std::ptrdiff_t>(std::min(most, edges_.size()))};
 }
 
-std::vector<templates::Candidate> Proposals::by_partial_contour(std::size_t most) const {
+void Proposals::search_partial_contours() {
   const int level = view_.contour_bank.level();
-  const std::vector<templates::Candidate> found =
+  partial_ = ranked_by_colours(
+      view_, scene_,
       proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level), 0,
-                            kRanked, view_.sector, places_, proposal::OutlinePart::kThreeQuarters);
-  return best_by_colours(view_, scene_, found, most);
+                            kRanked, view_.sector, places_, proposal::OutlinePart::kThreeQuarters));
+}
+
+std::vector<templates::Candidate> Proposals::by_partial_contour(
+    std::size_t most, const std::vector<templates::Candidate>& known, double near) const {
+  std::vector<templates::Candidate> others;
+  for (const auto& proposed : partial_) {
+    if (others.size() == most) break;
+    const cv::Point2d place = imaging::from_level(proposed.pose, proposed.level).position();
+    if (std::none_of(known.begin(), known.end(), [&](const templates::Candidate& one) {
+          return cv::norm(one.pose.position() - place) < near;
+        }))
+      others.push_back(proposed);
+  }
+  return others;
 }
 
 }  // namespace mbncc::search

@@ -27,9 +27,14 @@ class Proposals {
   std::vector<templates::Candidate> by_correlation(int most) const;
   /// The first `most` contour proposals.
   std::vector<templates::Candidate> by_edges(std::size_t most) const;
-  /// The `most` best poses by colours and the best three quarters of the contour; the fourth
-  /// quarter may be covered.
-  std::vector<templates::Candidate> by_partial_contour(std::size_t most) const;
+
+  /// Searches by the best three quarters of the contour, because the fourth may
+  /// be covered, and ranks the poses by colours; required before by_partial_contour().
+  void search_partial_contours();
+  /// The `most` best of these poses that are not nearer than `near` [px] to a place of `known` at
+  /// full resolution.
+  std::vector<templates::Candidate> by_partial_contour(
+      std::size_t most, const std::vector<templates::Candidate>& known, double near) const;
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
@@ -39,7 +44,7 @@ class Proposals {
   const scene::SceneImage& scene_;
   cv::Rect roi_;
   const proposal::SearchMask& places_;
-  std::vector<templates::Candidate> edges_;
+  std::vector<templates::Candidate> edges_, partial_;
 };
 
 }  // namespace mbncc::search

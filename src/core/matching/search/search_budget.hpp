@@ -15,7 +15,7 @@ struct SearchBudget {
   double kept = 1;            ///< candidates at each level, times most_at()
 };
 
-/// The second search, of an object that the first did not find.
+/// Each further search, after the first may have missed instances.
 constexpr SearchBudget kSecondSearch = [] {
   SearchBudget budget;
   budget.contour_proposals = budget.best_by_contour = 200;
@@ -51,8 +51,11 @@ constexpr double kMinBestOdds = 3;     ///< the best has at least these log-odds
 constexpr double kMaxSecondOdds = -1;  ///< every other place has less than these, ...
 constexpr std::size_t kForemost = 60;  ///< and the best was among this many first proposals.
 
-/// The second search is skipped if the best candidate has these log-odds, minus the clutter
-/// penalty.
+/// The object is searched again unless the best candidate has these log-odds minus the clutter
+/// penalty, ...
 constexpr double kMinFoundOdds = 3;
+/// ... fewer places than this have them, because the candidates of many instances may use up the
+/// budget, and all of these places were among the first kForemost proposals.
+constexpr std::size_t kManyFound = 4;
 
 }  // namespace mbncc::search

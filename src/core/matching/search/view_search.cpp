@@ -16,10 +16,9 @@
 namespace mbncc::search {
 namespace {
 
-constexpr std::size_t kFinal = 3;        // best places whose other angles are tried, ...
-constexpr std::size_t kMostPlaces = 10;  // ... and up to this many ...
-constexpr double kLikely = 0;            // ... with at least these log-odds
-constexpr double kSamePose = 1e-6;       // [px]
+constexpr std::size_t kFinal = 3;   // best places whose other angles are tried, ...
+constexpr double kLikely = 0;       // ... and all others with at least these log-odds
+constexpr double kSamePose = 1e-6;  // [px]
 constexpr double kOtherAngle = to_radians(10.);
 
 /// A view that is searched at part of the rotations gets proportionally fewer candidates.
@@ -80,8 +79,7 @@ class ViewSearch {
       merge(track_down(view_, scene_, first_.budget,
                        proposals_.by_correlation(first_.correlated_places)),
             candidates);
-    if (mode_ == SearchMode::kThorough && !is_likely(candidates))
-      merge(best_by_partial_contour(), candidates);
+    if (may_have_missed(candidates)) search_again(candidates);
     templates::suppress(candidates, {most_at(0), kFinalPruningMargin, apart()});
     try_other_angles(candidates);
     return verify(object_, view_, scene_, hypotheses(view_, scene_, candidates, first_.promising));
@@ -93,10 +91,40 @@ class ViewSearch {
                       proposals_.by_edges(first_.budget.contour_proposals));
   }
 
-  std::vector<templates::Candidate> best_by_partial_contour() const {
+  std::vector<templates::Candidate> likely_places(
+      const std::vector<templates::Candidate>& candidates) const {
+    auto places = best_places(candidates, apart(), candidates.size());
+    templates::drop_below(kMinFoundOdds, places);
+    return places;
+  }
+
+  /// Whether instances may be missing: the first search found none, or one that was not among the
+  /// first proposals, or so many that their candidates may have used up its budget.
+  bool may_have_missed(const std::vector<templates::Candidate>& candidates) const {
+    if (is_reduced(mode_)) return false;
+    if (mode_ == SearchMode::kThorough && !is_likely(candidates)) return true;
+    const auto likely = likely_places(candidates);
+    return likely.size() >= kManyFound ||
+           std::any_of(likely.begin(), likely.end(), [&](const templates::Candidate& place) {
+             return !proposals_.foremost_by_edges(place.pose, kForemost);
+           });
+  }
+
+  /// Searches outside the likely places, repeatedly as long as that adds to many.
+  void search_again(std::vector<templates::Candidate>& candidates) {
+    constexpr double kNear = 0.35;  // [radii]: proposals of an instance that is already found
     const SearchBudget budget = for_sector(kSecondSearch, view_.sector);
-    return track_down(view_, scene_, budget,
-                      proposals_.by_partial_contour(budget.contour_proposals));
+    proposals_.search_partial_contours();
+    std::vector<templates::Candidate> likely = likely_places(candidates);
+    for (;;) {
+      merge(track_down(view_, scene_, budget,
+                       proposals_.by_partial_contour(budget.contour_proposals, likely,
+                                                     kNear * view_.shape.radius())),
+            candidates);
+      std::vector<templates::Candidate> more = likely_places(candidates);
+      if (more.size() <= likely.size() || more.size() < kManyFound) return;
+      likely = std::move(more);
+    }
   }
 
   void merge(const std::vector<templates::Candidate>& more,
@@ -131,7 +159,7 @@ class ViewSearch {
   /// even with low odds.
   void try_other_angles(std::vector<templates::Candidate>& candidates) const {
     std::vector<templates::Candidate> needed;
-    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), kMostPlaces);
+    const auto places = best_places(candidates, 0.5 * view_.shape.radius(), candidates.size());
     for (std::size_t i = 0; i < places.size(); ++i) {
       if (i >= kFinal && places[i].value < kLikely) break;
       const auto turned = rotations_at(view_, scene_, places[i]);
