@@ -59,6 +59,13 @@ TEST(TornRows, AnEdgeAlongTheRowsIsNoTear) {
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
+// A row is displaced only if it differs more than the rows beside it.
+TEST(TornRows, ADisplacedRowBesideAnEdgeIsNoTear) {
+  cv::Mat image = torn(grey(textured()), 115, 8);
+  image.rowRange(116, kSize.height) += cv::Scalar(60);
+  EXPECT_FALSE(has_torn_rows(image, kBox));
+}
+
 /// Slanted lines are displaced in every row.
 TEST(TornRows, FlatLinesAreNoTear) {
   cv::Mat image(kSize, CV_8UC1, cv::Scalar(90));

@@ -85,6 +85,13 @@ TEST(Rays, AreNotFiniteBehindAFold) {
   ASSERT_TRUE(rays);
   EXPECT_FALSE(std::isnan((*rays)({580 + 900 * 0.3, 530})[0]));
   EXPECT_TRUE(std::isnan((*rays)({580 + 900 * 0.45, 530})[0]));
+
+  auto radial = strong_lens();
+  radial.D = {-1.36, 0.6, 0, 0, 0.25};
+  const auto radial_rays = rays_of(radial, false, kSize);
+  ASSERT_TRUE(radial_rays);
+  EXPECT_FALSE(std::isnan((*radial_rays)({560, 500})[0]));
+  EXPECT_TRUE(std::isnan((*radial_rays)({263, 405})[0]));
 }
 
 TEST(Calibration, RawAndRectifiedImagesGiveTheSameMetres) {
