@@ -46,6 +46,18 @@ TEST_F(ExplanationTest, ExplanationOfADetectionEqualsTheMatch) {
   for (const auto& part : explanation.parts) EXPECT_GE(part.lacking, -1e-9) << part.name;
 }
 
+TEST_F(ExplanationTest, AGreyImageIsComparedWithTheGreyLesson) {
+  cv::Mat grey;
+  cv::cvtColor(image_, grey, cv::COLOR_BGR2GRAY);
+  cv::cvtColor(grey, grey, cv::COLOR_GRAY2BGR);
+  const Explanation explanation = explain_place({object_}, {}, grey, truth_.position()).at(0);
+  const auto colours = std::find_if(
+      explanation.parts.begin(), explanation.parts.end(),
+      [](const ScorePart& part) { return part.name.find("difference of colours") == 0; });
+  ASSERT_NE(colours, explanation.parts.end());
+  EXPECT_LT(colours->value, 4);
+}
+
 TEST_F(ExplanationTest, ZeroHasNoSign) {
   for (const auto& line : lines_of(at(truth_.position())))
     EXPECT_EQ(line.find("-0.0 "), std::string::npos) << line;
