@@ -8,7 +8,7 @@ usage: trays.py SET OUT [--count N] [--grain G] [--seed N]
   --count  instances per image; default: 36
   --grain  texture [grey levels] that replaces most of the background; default: 0, the background of the next case
 
-Needs python3-opencv.
+Objects wider than a cell overlap, which their occlusion (always 0) does not tell. Needs python3-opencv.
 """
 import argparse
 import csv

@@ -70,6 +70,7 @@ struct Rival {
   LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px] see Match::outline
 
+  /// Without calibration.
   double log_odds() const { return odds.uncalibrated(); }
 };
 

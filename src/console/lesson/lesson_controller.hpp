@@ -13,6 +13,7 @@
 
 #include <QImage>
 #include <QObject>
+#include <string>
 
 namespace mbncc::console {
 
@@ -34,7 +35,7 @@ class LessonController : public QObject {
     LibraryStrip& strip;
   };
 
-  /// All arguments must outlive it.
+  /// All arguments must exist while it receives signals.
   LessonController(const SteadyClock& clock, RosLink& ros, const Widgets& widgets,
                    LibraryController& library, QObject* parent);
 
@@ -53,7 +54,7 @@ class LessonController : public QObject {
  Q_SIGNALS:
   /// The lesson may have changed, and its widgets show it.
   void changed();
-  /// A draft to review has appeared, changed or gone.
+  /// A draft to review has appeared, changed or disappeared.
   void draft_changed();
   /// The learning nodelet is running again, perhaps with other objects in its library.
   void server_came();

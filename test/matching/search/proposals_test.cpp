@@ -37,7 +37,7 @@ class ProposalsTest : public ::testing::Test {
     proposals.search_partial_contours();
     const Pose2D anchor = compose(kTruth, inverse(view.reference_in_anchor));
     double best = 0;
-    for (const auto& one : proposals.by_partial_contour(200, known, 10)) {
+    for (const auto& one : proposals.next_by_partial_contour(200, known, 10)) {
       const double side = 1 << one.level;
       if (cv::norm(side * one.pose.position() - anchor.position()) < 2 * side &&
           angle_distance(one.pose.theta, anchor.theta) * view.shape.radius() < 2 * side)

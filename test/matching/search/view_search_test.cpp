@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A view is searched a second time, with a larger budget, if the first search does not find it.
+// A view is searched again, with a larger budget, if the first search may have missed instances.
 #include "matching/search/view_search.hpp"
 
 #include <gtest/gtest.h>

@@ -36,11 +36,16 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
   return object.views.size() > 1 ? decision::resolve_rotations(std::move(found)) : found;
 }
 
-/// Number of likely detections.
-std::size_t likely(const std::vector<decision::Detection>& detections) {
-  return static_cast<std::size_t>(std::count_if(
-      detections.begin(), detections.end(),
-      [](const decision::Detection& one) { return one.log_odds() >= kMinFoundOdds; }));
+/// Number of places with a likely detection.
+std::size_t likely_places(const std::vector<decision::Detection>& detections) {
+  std::vector<const decision::Detection*> places;
+  for (const auto& one : detections)
+    if (one.log_odds() >= kMinFoundOdds &&
+        std::none_of(places.begin(), places.end(), [&](const decision::Detection* other) {
+          return decision::at_one_place(one, *other);
+        }))
+      places.push_back(&one);
+  return places.size();
 }
 
 }  // namespace
@@ -51,14 +56,15 @@ std::vector<decision::Detection> search_object(const prepared::PreparedObject& o
   if (is_reduced(mode)) {
     // Its few candidates do not suffice for many instances.
     const auto found = search_views(object, scene, roi, mode);
-    return likely(found) < kManyFound ? found
-                                      : search_views(object, scene, roi, SearchMode::kThorough);
+    return likely_places(found) < kManyFound
+               ? found
+               : search_object(object, scene, roi, SearchMode::kThorough);
   }
   if (object.views.size() == 1) return search_views(object, scene, roi, mode);
   // An instance fits one of several views best, so all views are searched thoroughly only if the
   // quick search finds nothing.
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
-  return likely(found) > 0 ? found : search_views(object, scene, roi, mode);
+  return likely_places(found) > 0 ? found : search_views(object, scene, roi, mode);
 }
 
 }  // namespace mbncc::search

@@ -55,17 +55,18 @@ std::vector<templates::Candidate> Proposals::by_edges(std::size_t most) const {
 
 void Proposals::search_partial_contours() {
   const int level = view_.contour_bank.level();
+  next_ = 0;
   partial_ = ranked_by_colours(
       view_, scene_,
       proposal::edge_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level), 0,
                             kRanked, view_.sector, places_, proposal::OutlinePart::kThreeQuarters));
 }
 
-std::vector<templates::Candidate> Proposals::by_partial_contour(
-    std::size_t most, const std::vector<templates::Candidate>& known, double near) const {
+std::vector<templates::Candidate> Proposals::next_by_partial_contour(
+    std::size_t most, const std::vector<templates::Candidate>& known, double near) {
   std::vector<templates::Candidate> others;
-  for (const auto& proposed : partial_) {
-    if (others.size() == most) break;
+  for (; others.size() < most && next_ < partial_.size(); ++next_) {
+    const templates::Candidate& proposed = partial_[next_];
     const cv::Point2d place = imaging::from_level(proposed.pose, proposed.level).position();
     if (std::none_of(known.begin(), known.end(), [&](const templates::Candidate& one) {
           return cv::norm(one.pose.position() - place) < near;

@@ -28,13 +28,13 @@ class Proposals {
   /// The first `most` contour proposals.
   std::vector<templates::Candidate> by_edges(std::size_t most) const;
 
-  /// Searches by the best three quarters of the contour, because the fourth may
-  /// be covered, and ranks the poses by colours; required before by_partial_contour().
+  /// Searches by the best three quarters of the contour, because the fourth may be covered, and
+  /// ranks the poses by colours; required before next_by_partial_contour().
   void search_partial_contours();
-  /// The `most` best of these poses that are not nearer than `near` [px] to a place of `known` at
-  /// full resolution.
-  std::vector<templates::Candidate> by_partial_contour(
-      std::size_t most, const std::vector<templates::Candidate>& known, double near) const;
+  /// The next `most` of these poses, best first, that are at least `near` [px at full resolution]
+  /// from all places of `known`. Each pose is returned once.
+  std::vector<templates::Candidate> next_by_partial_contour(
+      std::size_t most, const std::vector<templates::Candidate>& known, double near);
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
   bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
@@ -45,6 +45,7 @@ class Proposals {
   cv::Rect roi_;
   const proposal::SearchMask& places_;
   std::vector<templates::Candidate> edges_, partial_;
+  std::size_t next_ = 0;  // of partial_
 };
 
 }  // namespace mbncc::search

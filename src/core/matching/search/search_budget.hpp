@@ -15,8 +15,8 @@ struct SearchBudget {
   double kept = 1;            ///< candidates at each level, times most_at()
 };
 
-/// Each further search, after the first may have missed instances.
-constexpr SearchBudget kSecondSearch = [] {
+/// Each further search, because the first may have missed instances.
+constexpr SearchBudget kFurtherSearch = [] {
   SearchBudget budget;
   budget.contour_proposals = budget.best_by_contour = 200;
   budget.judged = 100;
@@ -51,7 +51,7 @@ constexpr double kMinBestOdds = 3;     ///< the best has at least these log-odds
 constexpr double kMaxSecondOdds = -1;  ///< every other place has less than these, ...
 constexpr std::size_t kForemost = 60;  ///< and the best was among this many first proposals.
 
-/// The object is searched again unless the best candidate has these log-odds minus the clutter
+/// The object is searched again unless the best candidate has these log-odds after the clutter
 /// penalty, ...
 constexpr double kMinFoundOdds = 3;
 /// ... fewer places than this have them, because the candidates of many instances may use up the

@@ -199,6 +199,50 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.size_alternative = sized.implausible_size;
 }
 
+/// Refines the detections that can be reported, each once.
+class Refinements {
+ public:
+  Refinements(const prepared::PreparedView& view, const scene::SceneImage& scene,
+              const std::vector<PoseHypothesis>& found)
+      : view_(view), scene_(scene), found_(found), refined_(found.size(), 0) {}
+
+  /// Which poses can be reported depends on the comparison of rotations, and the penalties of one
+  /// can make another the best, so they are refined one after the other.
+  void run(std::vector<decision::Detection>& detections) {
+    for (;;) {
+      const auto compared = decision::resolve_rotations(detections);
+      const auto next =
+          std::find_if(compared.begin(), compared.end(), [&](const decision::Detection& one) {
+            return refined_[one.number] == 0 && one.log_odds() > kReportable;
+          });
+      if (next == compared.end()) return;
+      refined_[next->number] = 1;
+      refine(
+          view_, scene_, found_[next->number],
+          *std::find_if(detections.begin(), detections.end(), [&](const decision::Detection& one) {
+            return one.number == next->number;
+          }));
+    }
+  }
+
+ private:
+  const prepared::PreparedView& view_;
+  const scene::SceneImage& scene_;
+  const std::vector<PoseHypothesis>& found_;
+  std::vector<char> refined_;  // by number
+};
+
+/// The detections in groups that do not compete with each other.
+std::vector<std::vector<decision::Detection>> by_place(
+    const std::vector<decision::Detection>& detections) {
+  std::vector<int> labels;
+  const int count = cv::partition(detections, labels, decision::at_one_place);
+  std::vector<std::vector<decision::Detection>> places(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < detections.size(); ++i)
+    places[static_cast<std::size_t>(labels[i])].push_back(detections[i]);
+  return places;
+}
+
 /// Whether the rows of the image are displaced at the detection, or only those of the object, if
 /// the background did not move.
 bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
@@ -236,24 +280,16 @@ std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
     detections.push_back(unrefined(object, view, scene, one));
     detections.back().number = detections.size() - 1;
   }
-  // Which poses may be reported depends on the comparison of rotations, and the penalties of one
-  // can make another the best, so they are refined one after the other.
-  std::vector<char> refined(found.size(), 0);
-  for (;;) {
-    auto compared = decision::resolve_rotations(detections);
-    const auto next =
-        std::find_if(compared.begin(), compared.end(), [&](const decision::Detection& one) {
-          return !refined[one.number] && one.log_odds() > kReportable;
-        });
-    if (next != compared.end()) {
-      refined[next->number] = 1;
-      refine(view, scene, found[next->number], detections[next->number]);
-      continue;
-    }
-    examine_best_of_places(view, scene, compared);
-    for (auto& one : compared) read_similarity(view, scene, one);
-    return compared;
+  Refinements refinements(view, scene, found);
+  for (auto& place : by_place(detections)) {
+    refinements.run(place);
+    for (const auto& one : place) detections[one.number] = one;
   }
+  refinements.run(detections);  // a refined pose may have reached another place
+  auto compared = decision::resolve_rotations(std::move(detections));
+  examine_best_of_places(view, scene, compared);
+  for (auto& one : compared) read_similarity(view, scene, one);
+  return compared;
 }
 
 }  // namespace mbncc::search

@@ -110,20 +110,22 @@ class ViewSearch {
            });
   }
 
-  /// Searches outside the likely places, repeatedly as long as that adds to many.
+  /// Follows further proposals, outside the places of found instances, as long as that adds to
+  /// many.
   void search_again(std::vector<templates::Candidate>& candidates) {
     constexpr double kNear = 0.35;  // [radii]: proposals of an instance that is already found
-    const SearchBudget budget = for_sector(kSecondSearch, view_.sector);
+    const SearchBudget budget = for_sector(kFurtherSearch, view_.sector);
     proposals_.search_partial_contours();
-    std::vector<templates::Candidate> likely = likely_places(candidates);
+    std::vector<templates::Candidate> found;
+    if (is_likely(candidates)) found = likely_places(candidates);
     for (;;) {
       merge(track_down(view_, scene_, budget,
-                       proposals_.by_partial_contour(budget.contour_proposals, likely,
-                                                     kNear * view_.shape.radius())),
+                       proposals_.next_by_partial_contour(budget.contour_proposals, found,
+                                                          kNear * view_.shape.radius())),
             candidates);
       std::vector<templates::Candidate> more = likely_places(candidates);
-      if (more.size() <= likely.size() || more.size() < kManyFound) return;
-      likely = std::move(more);
+      if (more.size() <= found.size() || more.size() < kManyFound) return;
+      found = std::move(more);
     }
   }
 

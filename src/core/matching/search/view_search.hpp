@@ -10,12 +10,13 @@
 
 namespace mbncc::search {
 
-/// How thoroughly and where a view is searched.
+/// How thoroughly and where a view is searched. kQuick and kThorough also search again if many
+/// instances are found, or one by a late proposal.
 enum class SearchMode {
   kReduced,            ///< with few candidates, because most of many objects are not in the image
   kColourPrefiltered,  ///< like kReduced, but only where the object's colours occur
-  kQuick,              ///< once, because another view may find the object
-  kThorough            ///< again with more candidates and starts if it is not found at once
+  kQuick,              ///< not again if nothing is found, because another view may find the object
+  kThorough            ///< again with more candidates if nothing is found
 };
 
 /// Whether few candidates are used, because most objects are absent.
