@@ -54,8 +54,8 @@ constexpr std::size_t kForemost = 60;  ///< and the best was among this many fir
 /// The object is searched again unless the best candidate has these log-odds after the clutter
 /// penalty, ...
 constexpr double kMinFoundOdds = 3;
-/// ... fewer places than this have them, because the candidates of many instances may use up the
-/// budget, and all of these places were among the first kForemost proposals.
+/// ... and fewer places than this have them, because the candidates of many instances may use up
+/// the budget.
 constexpr std::size_t kManyFound = 4;
 
 }  // namespace mbncc::search

@@ -98,16 +98,12 @@ class ViewSearch {
     return places;
   }
 
-  /// Whether instances may be missing: the first search found none, or one that was not among the
-  /// first proposals, or so many that their candidates may have used up its budget.
+  /// Whether instances may be missing: the first search found none, or so many that their
+  /// candidates may have used up its budget.
   bool may_have_missed(const std::vector<templates::Candidate>& candidates) const {
     if (is_reduced(mode_)) return false;
-    if (mode_ == SearchMode::kThorough && !is_likely(candidates)) return true;
-    const auto likely = likely_places(candidates);
-    return likely.size() >= kManyFound ||
-           std::any_of(likely.begin(), likely.end(), [&](const templates::Candidate& place) {
-             return !proposals_.foremost_by_edges(place.pose, kForemost);
-           });
+    return (mode_ == SearchMode::kThorough && !is_likely(candidates)) ||
+           likely_places(candidates).size() >= kManyFound;
   }
 
   /// Follows further proposals, outside the places of found instances, as long as that adds to

@@ -11,7 +11,7 @@
 namespace mbncc::search {
 
 /// How thoroughly and where a view is searched. kQuick and kThorough also search again if many
-/// instances are found, or one by a late proposal.
+/// instances are found.
 enum class SearchMode {
   kReduced,            ///< with few candidates, because most of many objects are not in the image
   kColourPrefiltered,  ///< like kReduced, but only where the object's colours occur
