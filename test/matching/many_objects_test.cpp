@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "matching/matcher_fixture.hpp"
@@ -78,14 +79,17 @@ TEST_F(ManyObjects, LookAlikesAreAmbiguousAmongMany) {
 
 constexpr int kCell = 120;  // [px]
 
-/// `count` instances on a plain table, in cells of twelve columns.
+constexpr int kColumns = 12;  // of a tray
+
+/// Pose of the k-th instance in tray().
+Pose2D instance_of_tray(int k) {
+  return {kCell * (k % kColumns + 0.5), kCell * (k / kColumns + 0.5), 0.9 * k};
+}
+
+/// `count` instances on a plain table.
 cv::Mat tray(const LearningImage& source, const Pose2D& reference, int count) {
-  constexpr int kColumns = 12;
   cv::Mat scene(kCell * count / kColumns, kCell * kColumns, CV_8UC3, cv::Scalar(100, 105, 95));
-  for (int k = 0; k < count; ++k) {
-    cv::Mat cell = scene({kCell * (k % kColumns), kCell * (k / kColumns), kCell, kCell});
-    place(cell, source, reference.position(), {60, 60, 0.9 * k});
-  }
+  for (int k = 0; k < count; ++k) place(scene, source, reference.position(), instance_of_tray(k));
   return scene;
 }
 
@@ -104,6 +108,27 @@ TEST_F(ManyObjects, ManyInstancesOfOneAmongManyAreFound) {
     objects.push_back(object_from(LearningImage(k), reference_, "object" + std::to_string(k)));
   const cv::Mat scene = tray(LearningImage(2), reference_, 48);
   EXPECT_EQ(count_found(matcher_of(objects), scene, "object2"), 48);
+}
+
+TEST_F(ManyObjects, EachOfManyInstancesIsAsAccurateAsItsDeviationsSay) {
+  cv::Mat scene = tray(source_, reference_, 36);
+  cv::Mat noise(scene.size(), CV_16SC3);
+  cv::theRNG().state = 3;
+  cv::randn(noise, cv::Scalar::all(0), cv::Scalar::all(3));
+  cv::add(scene, noise, scene, cv::noArray(), CV_8UC3);
+  SearchRequest request;
+  request.max_instances = 36;
+  const auto matches = matcher_of({object_from(source_, reference_)}).find(scene, request).matches;
+  ASSERT_EQ(matches.size(), 36u);
+  for (const Match& match : matches) {
+    const int column = static_cast<int>(match.pose.x) / kCell;
+    const int row = static_cast<int>(match.pose.y) / kCell;
+    const Pose2D truth = instance_of_tray(kColumns * row + column);
+    EXPECT_LT(std::abs(match.pose.x - truth.x), 4 * std::sqrt(match.covariance(0, 0)));
+    EXPECT_LT(std::abs(match.pose.y - truth.y), 4 * std::sqrt(match.covariance(1, 1)));
+    EXPECT_LT(std::abs(wrap_angle(match.pose.theta - truth.theta)),
+              4 * std::sqrt(match.covariance(2, 2)));
+  }
 }
 
 TEST_F(ManyObjects, ManyInstancesOfASmallObjectAreFound) {

@@ -48,7 +48,6 @@ class VerificationTest : public test::MatcherTest {
                              double odds) const {
     search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor);
     hypothesis.odds = odds;
-    hypothesis.refinement_steps = 4;
     return search::verify(object_, view_, scene, {hypothesis}).at(0);
   }
 };
@@ -74,7 +73,6 @@ TEST_F(VerificationTest, TheTrueObjectHasNoDoubts) {
 TEST_F(VerificationTest, TheTrueObjectHasTheLearnedSize) {
   const scene::SceneImage scene(scene_with(source_, truth_), object_.top_level());
   search::PoseHypothesis hypothesis = search::score_as_is(view_, scene, anchor_at(truth_));
-  hypothesis.refinement_steps = 4;
   const decision::Detection found = search::verify(object_, view_, scene, {hypothesis}).at(0);
   EXPECT_FALSE(found.size_alternative);
   EXPECT_EQ(found.scale, 1);
@@ -112,7 +110,6 @@ TEST_F(VerificationTest, ALargeObjectIsFoundAtASlightlyDifferentSize) {
     search::PoseHypothesis hypothesis =
         search::score_as_is(view, scene, {there.x + 2, there.y - 2, there.theta});
     hypothesis.odds = 8;
-    hypothesis.refinement_steps = 4;
     const decision::Detection found = search::verify(object, view, scene, {hypothesis}).at(0);
     EXPECT_FALSE(found.size_alternative) << size;
     EXPECT_NEAR(found.scale, size, 0.005);

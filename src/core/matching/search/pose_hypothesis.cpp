@@ -10,7 +10,6 @@
 namespace mbncc::search {
 namespace {
 
-constexpr std::size_t kMostAligned = 8;
 // Log-odds behind the best from which on poses are not aligned
 constexpr double kAlignmentMargin = 8;
 
@@ -48,7 +47,6 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
                                 const Pose2D& pose) {
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
   constexpr int kIterations = 6;
-  constexpr int kRefining = 4;
   const double radius = view.shape.radius();
   const refinement::ScoredPose first =
       refinement::align_and_score(view.fine, scene.levels[0], pose, kIterations);
@@ -63,7 +61,6 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
     elsewhere = true;
     best = better_rotation(best, score_as_is(view, scene, reached));
   }
-  best.refinement_steps = kRefining;
   return best;
 }
 
@@ -73,9 +70,8 @@ std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
                                        double promising) {
   std::vector<PoseHypothesis> found;
   std::vector<Pose2D> reached;
-  for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const templates::Candidate& candidate = candidates[i];
-    if (i >= kMostAligned || candidate.value <= promising ||
+  for (const templates::Candidate& candidate : candidates) {
+    if (candidate.value <= promising ||
         candidate.value <= candidates.front().value - kAlignmentMargin) {
       found.push_back(score_as_is(view, scene, candidate.pose));
       continue;

@@ -13,6 +13,7 @@ namespace mbncc::search {
 namespace {
 
 constexpr double kReportable = -2.2;  // log-odds of a score of .1
+constexpr int kRefinementSteps = 4;   // at most
 
 /// Colour difference of an object at a pose of log-odds `odds`.
 evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
@@ -98,8 +99,8 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
       if (reached.odds <= start.odds) continue;
       const RefinedPose again =
           with_odds(view, scene, found,
-                    refinement::refine(view.dense, scene.levels[0], reached.pose,
-                                       found.refinement_steps, resized.scale));
+                    refinement::refine(view.dense, scene.levels[0], reached.pose, kRefinementSteps,
+                                       resized.scale));
       if (again.odds > from.odds) from = again;
     } else if ((start.at.scale - 1) * (resized.scale - 1) < 0) {
       continue;
@@ -123,7 +124,7 @@ double mirror_advantage(const prepared::PreparedView& view, const scene::SceneIm
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             const PoseHypothesis& found) {
   if (found.odds <= kMinOddsToRefine) return refinement::unknown_accuracy(found.pose);
-  return refinement::refine(view.dense, scene.levels[0], found.pose, found.refinement_steps);
+  return refinement::refine(view.dense, scene.levels[0], found.pose, kRefinementSteps);
 }
 
 /// Log-odds against other rotations at the same place; the smallest value if the pose cannot be
