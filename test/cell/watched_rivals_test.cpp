@@ -259,7 +259,9 @@ INSTANTIATE_TEST_SUITE_P(
         // Only the look-alike has been searched in the whole image since more places resemble both.
         Sequence{"with_more_clutter", 1621},
         // Only the refinement of one name reaches the size in which the object appears.
-        Sequence{"in_another_size", 20871}),
+        Sequence{"in_another_size", 20871},
+        // An instance replaces one pose of its look-alike, which lies below it as well.
+        Sequence{"replaced_beside_it", 90851}),
     [](const auto& one) { return std::string(one.param.name); });
 
 }  // namespace

@@ -110,6 +110,7 @@ TEST_F(KnownInstancesTest, CalibrationDoesNotEnterTheComparison) {
   loose.match.odds.calibration = 2;
   instances_.admit(loose, kReach);
   ASSERT_EQ(instances_.all().size(), 1u);
+  compare_with({});
   EXPECT_NEAR(judged(instances_.all()[0]).margin_place, -3, 1e-9) << "of 21 to 24";
 }
 
@@ -169,8 +170,21 @@ TEST_F(KnownInstancesTest, TheBetterOfTwoAtOnePlaceStaysAndKeepsItsMargin) {
   ASSERT_NE(instances_.admit(better, kReach), nullptr);
   ASSERT_EQ(instances_.all().size(), 1u);
   EXPECT_EQ(instances_.all()[0].match.name, "one");
+  compare_with({});
   EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 2, 1e-9);
   EXPECT_EQ(instances_.admit(weaker, kReach), nullptr);
+}
+
+// The other object was found at one pose only, and may fit better at another that overlaps.
+TEST_F(KnownInstancesTest, ReplacingAnotherObjectIsNoComparisonWithIt) {
+  Instance covered = instance_at(85, "other", 10);
+  covered.match.score = 0.8;
+  instances_.admit(covered, kReach);
+  instances_.admit(instance_at(100), kReach);
+  ASSERT_EQ(instances_.all().size(), 1u);
+  EXPECT_FALSE(judged(instances_.all()[0]).graspable);
+  compare_with({rival_at(100, "other", 20)});
+  EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 0, 1e-9);
 }
 
 TEST_F(KnownInstancesTest, AnInstanceOfAnEarlierImageIsReplacedUncompared) {

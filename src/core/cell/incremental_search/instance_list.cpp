@@ -107,10 +107,11 @@ Instance* InstanceList::admit(Instance found, double reach) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
   if (std::any_of(instances_.begin(), instances_.end(), beats)) return nullptr;
-  // Log-odds from an earlier image are not comparable.
+  // One pose of another object is no comparison with it: it may fit better nearby. Log-odds from an
+  // earlier image are not comparable.
   for (const auto& one : take(covers))
     if (one.match.name != match.name && one.match.fresh)
-      found.others[one.match.name] = competitor_of(match, rival_of(one.match));
+      found.match.competitors.push_back(competitor_of(match, rival_of(one.match)));
   instances_.push_back(std::move(found));
   return &instances_.back();
 }

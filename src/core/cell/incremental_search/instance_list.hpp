@@ -16,7 +16,7 @@ namespace mbncc::incremental_search {
 
 struct Instance {
   /// Result of the last search at this place; its competitors are only those of the same object
-  /// nearby.
+  /// nearby, and weaker instances that it replaced.
   Match match;
   /// Whether the last search of the whole image for this object has compared it with other places.
   bool compared_elsewhere = false;
