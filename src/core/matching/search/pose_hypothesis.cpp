@@ -10,6 +10,7 @@
 namespace mbncc::search {
 namespace {
 
+constexpr std::size_t kMostAligned = 8;
 // Log-odds behind the best from which on poses are not aligned
 constexpr double kAlignmentMargin = 8;
 
@@ -61,6 +62,7 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
     elsewhere = true;
     best = better_rotation(best, score_as_is(view, scene, reached));
   }
+  best.refinement_steps = kRefinementSteps;
   return best;
 }
 
@@ -70,8 +72,9 @@ std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
                                        double promising) {
   std::vector<PoseHypothesis> found;
   std::vector<Pose2D> reached;
-  for (const templates::Candidate& candidate : candidates) {
-    if (candidate.value <= promising ||
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const templates::Candidate& candidate = candidates[i];
+    if (i >= kMostAligned || candidate.value <= promising ||
         candidate.value <= candidates.front().value - kAlignmentMargin) {
       found.push_back(score_as_is(view, scene, candidate.pose));
       continue;

@@ -15,11 +15,14 @@ namespace mbncc::search {
 /// Log-odds below which no pose ever became a detection, so it is not refined.
 constexpr double kMinOddsToRefine = -4;
 
+constexpr int kRefinementSteps = 4;  // of a pose that is reported
+
 /// A pose at full resolution with the evidence for it.
 struct PoseHypothesis {
   Pose2D pose;
   evidence::Evidence evidence;
-  double odds = 0;  ///< log-odds that the object lies here
+  double odds = 0;           ///< log-odds that the object lies here
+  int refinement_steps = 0;  ///< steps that its refinement may take if it is not the best here
 };
 
 /// The evidence for a pose without alignment.
@@ -33,8 +36,8 @@ PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b)
 PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                 const Pose2D& pose);
 
-/// The hypotheses of sorted candidates at full resolution: those above `promising` log-odds and not
-/// far behind the best are aligned from several starts, the others scored as they are.
+/// The hypotheses of sorted candidates at full resolution: the best of those above `promising`
+/// log-odds are aligned from several starts, the others scored as they are.
 std::vector<PoseHypothesis> hypotheses(const prepared::PreparedView& view,
                                        const scene::SceneImage& scene,
                                        const std::vector<templates::Candidate>& candidates,

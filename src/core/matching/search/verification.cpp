@@ -13,7 +13,6 @@ namespace mbncc::search {
 namespace {
 
 constexpr double kReportable = -2.2;  // log-odds of a score of .1
-constexpr int kRefinementSteps = 4;   // at most
 
 /// Colour difference of an object at a pose of log-odds `odds`.
 evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
@@ -89,7 +88,7 @@ struct SizedPose {
 /// edges of a large object of another size are out of the refinement's reach. The farther size is
 /// tested only on the side where the nearer one fits better than the learned size.
 SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                       const PoseHypothesis& found, const RefinedPose& start) {
+                       const PoseHypothesis& found, const RefinedPose& start, int steps) {
   constexpr double kUsual = 0.065;  // relative change of size by heights and tilts, at most
   SizedPose best{start};
   for (const prepared::ResizedTemplates& resized : view.resized) {
@@ -97,10 +96,9 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
     if (start.at.scale == 1) {
       const ResizedPose reached = aligned_in(resized.near, view, scene, start.at.pose);
       if (reached.odds <= start.odds) continue;
-      const RefinedPose again =
-          with_odds(view, scene, found,
-                    refinement::refine(view.dense, scene.levels[0], reached.pose, kRefinementSteps,
-                                       resized.scale));
+      const RefinedPose again = with_odds(
+          view, scene, found,
+          refinement::refine(view.dense, scene.levels[0], reached.pose, steps, resized.scale));
       if (again.odds > from.odds) from = again;
     } else if ((start.at.scale - 1) * (resized.scale - 1) < 0) {
       continue;
@@ -122,9 +120,9 @@ double mirror_advantage(const prepared::PreparedView& view, const scene::SceneIm
 }
 
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                            const PoseHypothesis& found) {
+                            const PoseHypothesis& found, int steps) {
   if (found.odds <= kMinOddsToRefine) return refinement::unknown_accuracy(found.pose);
-  return refinement::refine(view.dense, scene.levels[0], found.pose, kRefinementSteps);
+  return refinement::refine(view.dense, scene.levels[0], found.pose, steps);
 }
 
 /// Log-odds against other rotations at the same place; the smallest value if the pose cannot be
@@ -186,40 +184,47 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.odds.resized = refined.odds - found.odds;
 }
 
-/// Refines the pose and tests the alternatives.
+/// Refines the pose by at most `steps` and tests the alternatives.
 void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
-            const PoseHypothesis& found, decision::Detection& detection) {
-  const RefinedPose place = with_odds(view, scene, found, refined(view, scene, found));
+            const PoseHypothesis& found, int steps, decision::Detection& detection) {
+  const RefinedPose place = with_odds(view, scene, found, refined(view, scene, found, steps));
   evaluate(view, scene, found, place, detection);
   // Other sizes are not tested for an unlikely pose, which may still become the best rotation at a
   // likely place.
   detection.size_alternative = true;
   if (detection.log_odds() <= 0) return;
-  const SizedPose sized = at_best_size(view, scene, found, place);
+  const SizedPose sized = at_best_size(view, scene, found, place, steps);
   if (sized.place.odds > place.odds) evaluate(view, scene, found, sized.place, detection);
   detection.size_alternative = sized.implausible_size;
 }
 
-/// Refines the detections that can be reported, each once.
+/// Whether none of the detections before `one` is at its place.
+template <class Iterator>
+bool is_best_of_place(Iterator first, Iterator one) {
+  return std::none_of(first, one, [&](const decision::Detection& better) {
+    return decision::at_one_place(*one, better);
+  });
+}
+
+/// Refines the detections that can be reported.
 class Refinements {
  public:
   Refinements(const prepared::PreparedView& view, const scene::SceneImage& scene,
               const std::vector<PoseHypothesis>& found)
-      : view_(view), scene_(scene), found_(found), refined_(found.size(), 0) {}
+      : view_(view), scene_(scene), found_(found), taken_(found.size(), -1) {}
 
   /// Which poses can be reported depends on the comparison of rotations, and the penalties of one
   /// can make another the best, so they are refined one after the other.
   void run(std::vector<decision::Detection>& detections) {
     for (;;) {
       const auto compared = decision::resolve_rotations(detections);
-      const auto next =
-          std::find_if(compared.begin(), compared.end(), [&](const decision::Detection& one) {
-            return refined_[one.number] == 0 && one.log_odds() > kReportable;
-          });
+      auto next = compared.begin();
+      while (next != compared.end() && !is_due(compared.begin(), next)) ++next;
       if (next == compared.end()) return;
-      refined_[next->number] = 1;
+      const int steps = steps_for(compared.begin(), next);
+      taken_[next->number] = steps;
       refine(
-          view_, scene_, found_[next->number],
+          view_, scene_, found_[next->number], steps,
           *std::find_if(detections.begin(), detections.end(), [&](const decision::Detection& one) {
             return one.number == next->number;
           }));
@@ -227,10 +232,23 @@ class Refinements {
   }
 
  private:
+  using Sorted = std::vector<decision::Detection>::const_iterator;
+
+  bool is_due(Sorted first, Sorted one) const {
+    return one->log_odds() > kReportable && taken_[one->number] < steps_for(first, one);
+  }
+
+  /// The best of a place is refined, because the covariance at the pose of the search is too small.
+  /// The other rotations keep their poses unless they were aligned: they would approach the best,
+  /// which then had no competitor.
+  int steps_for(Sorted first, Sorted one) const {
+    return is_best_of_place(first, one) ? kRefinementSteps : found_[one->number].refinement_steps;
+  }
+
   const prepared::PreparedView& view_;
   const scene::SceneImage& scene_;
   const std::vector<PoseHypothesis>& found_;
-  std::vector<char> refined_;  // by number
+  std::vector<int> taken_;  // steps of refinement, by number; -1: not refined
 };
 
 /// The detections in groups that do not compete with each other.
@@ -260,10 +278,7 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
-    if (std::any_of(compared.begin(), one, [&](const decision::Detection& better) {
-          return decision::at_one_place(*one, better);
-        }))
-      continue;
+    if (!is_best_of_place(compared.begin(), one)) continue;
     one->contour_alternative =
         evidence::advantage_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->scale);
     one->torn = is_torn(view.fine.contour, scene, *one);
