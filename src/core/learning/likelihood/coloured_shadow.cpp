@@ -7,9 +7,21 @@ namespace mbncc::likelihood {
 namespace {
 
 constexpr float kLeastLight = 0.2F, kMostLight = 0.92F;  // limits of the light that a shadow leaves
-// Largest distance to the shadowed colour, relative to the distance of that colour from grey.
-constexpr float kNearer = 0.4F;
-constexpr float kVisible = 3;  // [sigma] least distance of the shadowed colour from grey
+// Relative to the chroma of the shadowed colour: largest loss, and largest deviation across it
+constexpr float kOther = 0.4F;
+constexpr float kVisible = 3;  // [sigma] least chroma of the shadowed colour
+
+cv::Vec3f chroma(const cv::Vec3f& colour) {
+  return colour - cv::Vec3f::all((colour[0] + colour[1] + colour[2]) / 3);
+}
+
+// Whether `seen` has the hue of `expected` and its chroma or more, because a shadow also takes away
+// what a glossy platform reflects.
+bool has_hue(const cv::Vec3f& seen, const cv::Vec3f& expected) {
+  const float along = seen.dot(expected) / expected.dot(expected);
+  const cv::Vec3f across = seen - along * expected;
+  return along > 1 - kOther && across.dot(across) < kOther * kOther * along * seen.dot(expected);
+}
 
 }  // namespace
 
@@ -22,11 +34,9 @@ cv::Mat coloured_shadow(const cv::Mat& before, const cv::Mat& after, float sigma
       const cv::Vec3f b = seen.at<cv::Vec3f>(y, x), a = platform.at<cv::Vec3f>(y, x);
       const float light = b.dot(a) / (a.dot(a) + 1);
       if (light < kLeastLight || light > kMostLight) continue;
-      const cv::Vec3f off = b - light * a,
-                      chroma = light * (a - cv::Vec3f::all((a[0] + a[1] + a[2]) / 3));
-      const float from_grey = chroma.dot(chroma);
-      if (from_grey > kVisible * kVisible * sigma * sigma &&
-          off.dot(off) < kNearer * kNearer * from_grey)
+      const cv::Vec3f expected = light * chroma(a);
+      if (expected.dot(expected) > kVisible * kVisible * sigma * sigma &&
+          has_hue(chroma(b), expected))
         shadow.at<uchar>(y, x) = 255;
     }
   return shadow;

@@ -7,8 +7,8 @@
 
 namespace mbncc::likelihood {
 
-/// CV_8UC1, 255 where `before` is darker than `after`, and its colour is that of `after` in less
-/// light rather than grey. Both CV_32FC3; `sigma` [grey levels] is the noise of a channel's
+/// CV_8UC1, 255 where `before` is darker than `after`, and has its hue and at least most of its
+/// saturation. Both CV_32FC3; `sigma` [grey levels] is the noise of a channel's
 /// difference.
 cv::Mat coloured_shadow(const cv::Mat& before, const cv::Mat& after, float sigma);
 
