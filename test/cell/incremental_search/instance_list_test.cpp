@@ -187,6 +187,20 @@ TEST_F(KnownInstancesTest, ReplacingAnotherObjectIsNoComparisonWithIt) {
   EXPECT_NEAR(judged(instances_.all()[0]).margin_place, 0, 1e-9);
 }
 
+TEST_F(KnownInstancesTest, ReplacingAnotherObjectEndsAnEarlierComparison) {
+  for (const bool fresh : {true, false}) {
+    Instance covered = instance_at(85, "other", 10), moved = instance_at(100);
+    covered.match.score = 0.8;
+    covered.match.fresh = fresh;
+    moved.others["other"] = std::nullopt;
+    instances_.all().clear();
+    instances_.admit(covered, kReach);
+    instances_.admit(moved, kReach);
+    ASSERT_EQ(instances_.all().size(), 1u);
+    EXPECT_FALSE(judged(instances_.all()[0]).graspable);
+  }
+}
+
 TEST_F(KnownInstancesTest, AnInstanceOfAnEarlierImageIsReplacedUncompared) {
   Instance earlier = instance_at(102, "other", 10);
   earlier.match.score = 0.8;

@@ -107,11 +107,14 @@ Instance* InstanceList::admit(Instance found, double reach) {
     return covers(one) && !is_continued(one.match, match, reach) && one.match.score >= match.score;
   };
   if (std::any_of(instances_.begin(), instances_.end(), beats)) return nullptr;
-  // One pose of another object is no comparison with it: it may fit better nearby. Log-odds from an
-  // earlier image are not comparable.
-  for (const auto& one : take(covers))
-    if (one.match.name != match.name && one.match.fresh)
+  // A replaced pose of another object is no comparison with it, and ends an inherited one: the
+  // object may fit better nearby. Log-odds from an earlier image are not comparable.
+  for (const auto& one : take(covers)) {
+    if (one.match.name == match.name) continue;
+    found.others.erase(one.match.name);
+    if (one.match.fresh)
       found.match.competitors.push_back(competitor_of(match, rival_of(one.match)));
+  }
   instances_.push_back(std::move(found));
   return &instances_.back();
 }

@@ -16,7 +16,7 @@ namespace mbncc::incremental_search {
 
 struct Instance {
   /// Result of the last search at this place; its competitors are only those of the same object
-  /// nearby, and weaker instances that it replaced.
+  /// nearby, and instances of others that it replaced in this image.
   Match match;
   /// Whether the last search of the whole image for this object has compared it with other places.
   bool compared_elsewhere = false;
@@ -71,9 +71,9 @@ class InstanceList {
     return taken;
   }
 
-  /// Adds an instance and removes those it overlaps: weaker ones, which become its competitors, and
-  /// its own earlier state within `reach` [px]. Null if a better instance is there. The pointer is
-  /// valid until the next change of the list.
+  /// Adds an instance and removes those it overlaps: others with lower scores, with whose objects
+  /// it must be compared again, and its own earlier state within `reach` [px]. Null if a better
+  /// instance is there. The pointer is valid until the next change of the list.
   Instance* admit(Instance found, double reach);
 
   /// Compares all instances with the result `found` of a search for object `name`.

@@ -15,7 +15,8 @@ namespace mbncc::search {
 /// Log-odds below which no pose ever became a detection, so it is not refined.
 constexpr double kMinOddsToRefine = -4;
 
-constexpr int kRefinementSteps = 4;  // of a pose that is reported
+/// Of the best pose of a place, and of aligned ones.
+constexpr int kRefinementSteps = 4;
 
 /// A pose at full resolution with the evidence for it.
 struct PoseHypothesis {

@@ -232,16 +232,18 @@ class Refinements {
   }
 
  private:
-  using Sorted = std::vector<decision::Detection>::const_iterator;
+  using Ranked = std::vector<decision::Detection>::const_iterator;
 
-  bool is_due(Sorted first, Sorted one) const {
-    return one->log_odds() > kReportable && taken_[one->number] < steps_for(first, one);
+  bool is_due(Ranked first, Ranked one) const {
+    const int taken = taken_[one->number];
+    return one->log_odds() > kReportable && taken < kRefinementSteps &&
+           taken < steps_for(first, one);
   }
 
   /// The best of a place is refined, because the covariance at the pose of the search is too small.
-  /// The other rotations keep their poses unless they were aligned: they would approach the best,
-  /// which then had no competitor.
-  int steps_for(Sorted first, Sorted one) const {
+  /// Other rotations keep their poses unless they were aligned or the best for a time: refined,
+  /// they may move to the best pose, which would then have no competitor.
+  int steps_for(Ranked first, Ranked one) const {
     return is_best_of_place(first, one) ? kRefinementSteps : found_[one->number].refinement_steps;
   }
 
