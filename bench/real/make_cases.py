@@ -10,7 +10,8 @@ names one repository at one commit, its images and the true outlines:
   good), scale (factor the images are resized by; a case may have its own), new (a source not
   used before), and cases: name, before, after (paths), before_frame, after_frame (of videos,
   from 0), outline, holes (lists of polygons of the resized image), roi (x y width height),
-  click (x y), alike (objects that look the same share it), note
+  click (x y), crop (x y width height: the part of the resized image that is used, because more
+  changed outside it), alike (objects that look the same share it), note
 
 Written are
 OUT/pairs/SOURCE/CASE/{learn_before.png,learn_after.png,gt_mask.png,roi.txt,click.txt} and
@@ -103,13 +104,16 @@ def make_case(git, source, case, folder):
     before, after = image("before"), image("after")
     if before.shape != after.shape:
         raise Missing("{} and {} differ in size".format(case["before"], case["after"]))
+    left, top, width, height = case.get("crop", [0, 0, before.shape[1], before.shape[0]])
+    part = slice(top, top + height), slice(left, left + width)
     folder.mkdir(parents=True, exist_ok=True)
-    cv2.imwrite(str(folder / "learn_before.png"), before)
-    cv2.imwrite(str(folder / "learn_after.png"), after)
+    cv2.imwrite(str(folder / "learn_before.png"), before[part])
+    cv2.imwrite(str(folder / "learn_after.png"), after[part])
     cv2.imwrite(str(folder / "gt_mask.png"),
-                mask_of(before.shape, case["outline"], case.get("holes", [])))
-    (folder / "roi.txt").write_text("{} {} {} {}\n".format(*case["roi"]))
-    (folder / "click.txt").write_text("{} {}\n".format(*case["click"]))
+                mask_of(before.shape, case["outline"], case.get("holes", []))[part])
+    x, y, w, h = case["roi"]
+    (folder / "roi.txt").write_text("{} {} {} {}\n".format(x - left, y - top, w, h))
+    (folder / "click.txt").write_text("{} {}\n".format(case["click"][0] - left, case["click"][1] - top))
 
 
 def make_source(mirror, out, path):

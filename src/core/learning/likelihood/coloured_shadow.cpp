@@ -1,26 +1,40 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/likelihood/coloured_shadow.hpp"
 
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 namespace mbncc::likelihood {
 namespace {
 
 constexpr float kLeastLight = 0.2F, kMostLight = 0.92F;  // limits of the light that a shadow leaves
-// Relative to the chroma of the shadowed colour: largest loss, and largest deviation across it
-constexpr float kOther = 0.4F;
-constexpr float kVisible = 3;  // [sigma] least chroma of the shadowed colour
+constexpr float kOtherChroma = 0.4F;                     // largest difference in chroma, relative
+constexpr float kOtherHue = 0.4F;                        // largest tangent of the difference in hue
+// A shadow also takes away what a glossy platform reflects, and is more saturated then: at least
+// this chroma relative to its brightness, because the hue of pale colours says little, ...
+constexpr float kSaturated = 0.3F;
+constexpr float kMostChroma = 2;  // ... and at most this multiple of the lit platform's chroma
+constexpr float kVisible = 3;     // [sigma] least chroma of the shadowed colour
 
-cv::Vec3f chroma(const cv::Vec3f& colour) {
-  return colour - cv::Vec3f::all((colour[0] + colour[1] + colour[2]) / 3);
+float brightness(const cv::Vec3f& colour) {
+  return (colour[0] + colour[1] + colour[2]) / 3;
 }
 
-// Whether `seen` has the hue of `expected` and its chroma or more, because a shadow also takes away
-// what a glossy platform reflects.
-bool has_hue(const cv::Vec3f& seen, const cv::Vec3f& expected) {
-  const float along = seen.dot(expected) / expected.dot(expected);
-  const cv::Vec3f across = seen - along * expected;
-  return along > 1 - kOther && across.dot(across) < kOther * kOther * along * seen.dot(expected);
+cv::Vec3f chroma(const cv::Vec3f& colour) {
+  return colour - cv::Vec3f::all(brightness(colour));
+}
+
+// Whether `seen` may be `platform` in this part of its light.
+bool is_shadow_of(const cv::Vec3f& platform, float light, const cv::Vec3f& seen, float sigma) {
+  const cv::Vec3f expected = light * chroma(platform), own = chroma(seen);
+  const float square = expected.dot(expected);
+  if (square <= kVisible * kVisible * sigma * sigma) return false;
+  const float along = own.dot(expected) / square;
+  const cv::Vec3f across = own - along * expected;
+  if (along < 1 - kOtherChroma || cv::norm(across) > kOtherHue * along * std::sqrt(square))
+    return false;
+  return along < 1 + kOtherChroma ||
+         (cv::norm(own) > kSaturated * brightness(seen) && along * light < kMostChroma);
 }
 
 }  // namespace
@@ -34,10 +48,7 @@ cv::Mat coloured_shadow(const cv::Mat& before, const cv::Mat& after, float sigma
       const cv::Vec3f b = seen.at<cv::Vec3f>(y, x), a = platform.at<cv::Vec3f>(y, x);
       const float light = b.dot(a) / (a.dot(a) + 1);
       if (light < kLeastLight || light > kMostLight) continue;
-      const cv::Vec3f expected = light * chroma(a);
-      if (expected.dot(expected) > kVisible * kVisible * sigma * sigma &&
-          has_hue(chroma(b), expected))
-        shadow.at<uchar>(y, x) = 255;
+      if (is_shadow_of(a, light, b, sigma)) shadow.at<uchar>(y, x) = 255;
     }
   return shadow;
 }

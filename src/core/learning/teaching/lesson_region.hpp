@@ -25,7 +25,7 @@ inline bool is_without_place(const Lesson& lesson) {
   return lesson.region == cv::Rect() && !lesson.click;
 }
 
-/// Whether the operator drew the region, which is then little larger than the object.
+/// Whether the operator drew the region, which tells roughly how large the object is.
 inline bool has_drawn_region(const Lesson& lesson) {
   return lesson.region != cv::Rect() && !lesson.click;
 }
