@@ -62,7 +62,7 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
     elsewhere = true;
     best = better_rotation(best, score_as_is(view, scene, reached));
   }
-  best.refinement_steps = kRefinementSteps;
+  best.aligned = true;
   return best;
 }
 

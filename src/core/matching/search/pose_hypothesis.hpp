@@ -15,15 +15,12 @@ namespace mbncc::search {
 /// Log-odds below which no pose ever became a detection, so it is not refined.
 constexpr double kMinOddsToRefine = -4;
 
-/// Of the best pose of a place, and of aligned ones.
-constexpr int kRefinementSteps = 4;
-
 /// A pose at full resolution with the evidence for it.
 struct PoseHypothesis {
   Pose2D pose;
   evidence::Evidence evidence;
-  double odds = 0;           ///< log-odds that the object lies here
-  int refinement_steps = 0;  ///< steps that its refinement may take if it is not the best here
+  double odds = 0;       ///< log-odds that the object lies here
+  bool aligned = false;  ///< from several starts
 };
 
 /// The evidence for a pose without alignment.

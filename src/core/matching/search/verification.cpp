@@ -13,6 +13,7 @@ namespace mbncc::search {
 namespace {
 
 constexpr double kReportable = -2.2;  // log-odds of a score of .1
+constexpr int kRefinementSteps = 4;   // at most
 
 /// Colour difference of an object at a pose of log-odds `odds`.
 evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
@@ -235,16 +236,15 @@ class Refinements {
   using Ranked = std::vector<decision::Detection>::const_iterator;
 
   bool is_due(Ranked first, Ranked one) const {
-    const int taken = taken_[one->number];
-    return one->log_odds() > kReportable && taken < kRefinementSteps &&
-           taken < steps_for(first, one);
+    return one->log_odds() > kReportable && taken_[one->number] < steps_for(first, one);
   }
 
   /// The best of a place is refined, because the covariance at the pose of the search is too small.
   /// Other rotations keep their poses unless they were aligned or the best for a time: refined,
   /// they may move to the best pose, which would then have no competitor.
   int steps_for(Ranked first, Ranked one) const {
-    return is_best_of_place(first, one) ? kRefinementSteps : found_[one->number].refinement_steps;
+    const bool moves = found_[one->number].aligned || is_best_of_place(first, one);
+    return moves ? kRefinementSteps : 0;
   }
 
   const prepared::PreparedView& view_;
