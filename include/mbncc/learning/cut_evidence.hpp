@@ -9,8 +9,8 @@ struct CutEvidence {
   double region_touch = 0;  ///< [0..1] part of the outline that lies on the region's edge
   double cut_off = 0;  ///< [0..1] part of the outline beside an intruder, or beside pixels outside
                        ///< the region that look like the object
-  double region_span = 1;     ///< [0..1] extent of the map's box relative to the region's, in the
-                              ///< worse direction; 1 in a result by change without a drawn region
+  double region_span =
+      1;  ///< [0..1] extent of the map's box relative to the region's, in the worse direction
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double change_beside = 0;   ///< [map's area] area of certain change in the region outside the map
   double unconfirmed_hole = 0;  ///< [0..1] area of holes that may belong to the object, relative to

@@ -94,18 +94,15 @@ TEST_F(VerdictTest, EverySignalRaisesTheRisk) {
 }
 
 TEST_F(VerdictTest, WarningsOfTheCutPreventGood) {
-  CutEvidence touch, outside, beside, little, hole, several, unverified;
+  CutEvidence touch, outside, beside, hole, several, unverified;
   touch.cut_off = 0.04;
-  little.region_span = 0.39;
   hole.unconfirmed_hole = 0.11;
   several.second_departure = 0.51;
   outside.change_outside = 0.11;
   beside.change_beside = 0.09;
   unverified.verified = false;
-  for (const CutEvidence& evidence : {touch, outside, beside, little, hole, several, unverified})
+  for (const CutEvidence& evidence : {touch, outside, beside, hole, several, unverified})
     EXPECT_EQ(verdict_with(evidence), Verdict::kMarginal);
-  little.region_span = 0.41;
-  EXPECT_EQ(verdict_with(little), Verdict::kGood);
   touch.cut_off = 1;
   beside.change_beside = 1;
   EXPECT_EQ(verdict_with(touch), Verdict::kMarginal);

@@ -245,31 +245,6 @@ TEST(LearnObject, ATightRegionInOneImageGivesTheWholeObject) {
   EXPECT_GT(iou(learned_map(result), drawn.truth), 0.9);
 }
 
-// A part of an object may look like shadowed platform; then the map fills little of the region.
-TEST(LearnObject, AMapThatFillsLittleOfADrawnRegionIsNotGood) {
-  DrawnLesson drawn = draw_lesson({160, 120}, {320, 240});
-  drawn.platform = test::texture(drawn.platform.size(), cv::Scalar(110, 125, 22), 14, 4);
-  drawn.platform.copyTo(drawn.scene);
-  drawn.scene(cv::Rect(60, 60, 190, 120)) *= 0.5;
-  drawn.scene(cv::Rect(60, 60, 60, 40)).setTo(cv::Scalar(40, 40, 210));
-  cv::GaussianBlur(drawn.scene, drawn.scene, {}, 0.7);
-  drawn.lesson.before = test::exposed(drawn.scene, 11);
-  drawn.lesson.after = test::exposed(drawn.platform, 12);
-  const auto quality_in = [&](const cv::Rect& region) {
-    drawn.lesson.region = region;
-    return learn_object(drawn.lesson).object.quality;
-  };
-  const auto warned = [](const Quality& quality) {
-    return std::count(quality.reasons.begin(), quality.reasons.end(), "little_of_region");
-  };
-  const Quality part = quality_in({50, 50, 210, 140}), placeless = quality_in({});
-  EXPECT_LT(part.area, 3000);
-  EXPECT_EQ(warned(part), 1);
-  EXPECT_EQ(part.verdict, Verdict::kMarginal);
-  EXPECT_LT(placeless.area, 3000);
-  EXPECT_EQ(warned(placeless), 0) << "only a drawn region tells the object's size";
-}
-
 // A grown region would be the whole image, which leaves no background.
 TEST(LearnObject, ATightRegionThatCannotGrowIsKept) {
   DrawnLesson drawn = draw_lesson();

@@ -17,7 +17,6 @@ constexpr double kPlain = 6;        // [grey levels] a plain surface deviates le
 constexpr double kCrossing = 0.05;  // [0..1] part of the outline on the region's edge
 constexpr double kLargeHole = 0.1;  // [0..1] part of the map with its holes filled
 constexpr double kHugeHole = 0.4;   // if it belongs to the object, the map has an IoU below .6
-constexpr double kLittle = 0.4;  // [0..1] a drawn region is rarely so much larger than the object
 constexpr double kNever = std::numeric_limits<double>::infinity();  // a limit that is never passed
 
 // Reasons against a lesson.
@@ -52,8 +51,8 @@ constexpr std::array<Reason, 18> kReasons{{
      "The object is as grey as a shadow of the platform: check the outline, or teach it on a "
      "platform of another colour."},
     {"little_of_region",
-     "The map fills little of the region: check whether a part is missing, draw the region close "
-     "around the object, or draw its outline."},
+     "The map fills little of the region: draw the region close around the object, or draw its "
+     "outline."},
     {"unverified_cut",
      "Check the outline: one image alone cannot confirm it. If possible, teach by change."},
     {"round", "The object does not show its angle: any angle may be reported."},
@@ -144,7 +143,6 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
   reasons.above("touches_region_edge", evidence.cut_off, 0.03, kNever);
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
-  if (evidence.verified) reasons.below("little_of_region", evidence.region_span, kLittle, -kNever);
   reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kHugeHole);
   reasons.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified

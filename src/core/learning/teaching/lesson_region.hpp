@@ -25,11 +25,6 @@ inline bool is_without_place(const Lesson& lesson) {
   return lesson.region == cv::Rect() && !lesson.click;
 }
 
-/// Whether the operator drew the region, which tells roughly how large the object is.
-inline bool has_drawn_region(const Lesson& lesson) {
-  return lesson.region != cv::Rect() && !lesson.click;
-}
-
 /// The lesson's region clipped to the image; the whole image when none is given. Throws
 /// LessonEnded(kRegionInvalid) when less than 8 x 8 pixels remain.
 cv::Rect usable_region(const Lesson& lesson);

@@ -181,10 +181,8 @@ class LessonRun {
     const StepTimer timer(result_.timings_ms, "quality");
     progress_.report(Stage::kQuality, 0.85, "Computing the verdict.");
     result_.evidence = segmentation.evidence;
-    if (result_.evidence && result_.evidence->verified && !has_drawn_region(lesson_))
-      result_.evidence->region_span = 1;  // other regions do not tell the object's size
     Quality& quality = result_.object.quality;
-    quality = assess_quality(result_.object, lesson_.before, state_.changed, result_.evidence,
+    quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
                              config_, search_);
     // A given map is never refused for quality; the verdict only warns.
     if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)

@@ -246,7 +246,7 @@ Segmentation MapCutter::segment_unless_touching(double largest_touch) {
   const StepTimer timer(timings_ms_, "segment");
   SegmentationTask task = task_;
   task.largest_touch = largest_touch;
-  if (has_drawn_region(lesson_)) task.least_span = kLeastSpan;
+  if (lesson_.region != cv::Rect() && !lesson_.click) task.least_span = kLeastSpan;
   return segmenter_of(config_.method, !task.after.empty())(task, config_, progress_);
 }
 
