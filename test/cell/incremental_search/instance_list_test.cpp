@@ -209,6 +209,8 @@ TEST_F(KnownInstancesTest, AnInstanceOfAnEarlierImageIsReplacedUncompared) {
   instances_.admit(instance_at(100), kReach);
   ASSERT_EQ(instances_.all().size(), 1u);
   EXPECT_FALSE(judged(instances_.all()[0]).graspable) << "the light may have changed since then";
+  compare_with({});
+  EXPECT_GE(judged(instances_.all()[0]).margin_place, 20) << "nor does it compete";
 }
 
 }  // namespace
