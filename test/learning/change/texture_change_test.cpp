@@ -71,6 +71,28 @@ TEST(TextureChange, MovedTextureIsDisplaced) {
   EXPECT_GT(texture_change(grey(120, 15, 1), grey(120, 15, 2), kWhite).displaced, 0.7);
 }
 
+TEST(TextureChange, MovedTextureUnderNoiseIsDisplaced) {
+  EXPECT_GT(texture_change(noisy(grey(120, 15, 1), 8, 3), noisy(grey(120, 15, 2), 8, 4), kWhite)
+                .displaced,
+            0.7);
+}
+
+TEST(TextureChange, NoiseIsNotDisplacedTexture) {
+  const cv::Mat plain(kSize, CV_32FC1, cv::Scalar(120));
+  EXPECT_LT(texture_change(noisy(plain, 5, 3), noisy(plain, 5, 4), kWhite).displaced, 0.1);
+}
+
+TEST(TextureChange, FaultyPixelsAreNotDisplacedTexture) {
+  const cv::Mat plain(kSize, CV_32FC1, cv::Scalar(120));
+  cv::Mat before = plain.clone(), after = plain.clone();
+  cv::RNG random(1);
+  for (int i = 0; i < 200; ++i) {
+    before.at<float>(random.uniform(0, kSize.height), random.uniform(0, kSize.width)) = 255;
+    after.at<float>(random.uniform(0, kSize.height), random.uniform(0, kSize.width)) = 0;
+  }
+  EXPECT_LT(texture_change(before, after, kWhite).displaced, 0.1);
+}
+
 TEST(TextureChange, TextureInOnlyOneImageIsNotDisplaced) {
   // If an object is removed from a plain table, its texture disappears with it.
   cv::Mat after(kSize, CV_32FC1, cv::Scalar(120));

@@ -28,6 +28,13 @@ cv::Mat mean_product(const cv::Mat& a, const cv::Mat& b) {
   return mean;
 }
 
+// Noise and faulty pixels are not displaced texture.
+cv::Mat without_noise(const cv::Mat& image) {
+  cv::Mat clean;
+  cv::medianBlur(image, clean, 3);
+  return clean;
+}
+
 cv::Mat box_mean(const cv::Mat& values) {
   cv::Mat mean;
   cv::boxFilter(values, mean, CV_32F, {kTextureBox, kTextureBox});
@@ -53,7 +60,9 @@ struct Squares {
 
 }  // namespace
 
-TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white) {
+TextureChange texture_change(const cv::Mat& noisy_before, const cv::Mat& noisy_after,
+                             double white) {
+  const cv::Mat before = without_noise(noisy_before), after = without_noise(noisy_after);
   const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
   const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
                 ba = mean_product(before, after);
