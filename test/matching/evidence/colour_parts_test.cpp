@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <opencv2/imgproc.hpp>
 
 #include "matching/images.hpp"
@@ -117,6 +118,24 @@ TEST_F(ColourPartsTest, ACompactPartDiffersWhateverItsLearnedColours) {
   const ColourDifference difference = difference_in(tinted, model);
   EXPECT_GT(difference.block, 0.2);
   EXPECT_LT(difference.colour, difference.block);
+}
+
+TEST_F(ColourPartsTest, SmallPartsOfAPrintCountTogether) {
+  // Four shades of red, each of a fiftieth of the tool.
+  const auto printed = [&](const std::array<cv::Scalar, 4>& shades) {
+    cv::Mat image(150, 300, CV_8UC3, kTable);
+    image(tool_) = kSteel;
+    for (int k = 0; k < 4; ++k)
+      image(cv::Rect(tool_.x + 30 * k + 20, tool_.y + 8, 9, 8)) = shades[k];
+    return image;
+  };
+  const std::array<cv::Scalar, 4> reds{cv::Scalar(30, 30, 90), cv::Scalar(40, 40, 170),
+                                       cv::Scalar(90, 90, 200), cv::Scalar(20, 70, 190)};
+  cv::Mat map = cv::Mat::zeros(150, 300, CV_8UC1);
+  map(tool_) = 255;
+  const auto model = object_of(printed(reds), map);
+  EXPECT_LT(difference_in(printed(reds), model).colour, 0.04);
+  EXPECT_GT(difference_in(printed({kBlack, kBlack, kBlack, kBlack}), model).colour, 0.3);
 }
 
 TEST_F(ColourPartsTest, AThingAcrossTheContourDoesNotCount) {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <opencv2/core.hpp>
+#include <utility>
 
 #include "matching/evidence/gain_offset.hpp"
 #include "numeric/fixed_random_state.hpp"
@@ -53,13 +54,32 @@ struct VisiblePart {
   std::vector<numeric::Weighted> red, blue;
   double points = 0, weight = 0;
 
-  /// Whether enough of the part is visible, and the part is large enough relative to `all` points.
-  bool tells(std::size_t all) const {
-    constexpr double kShare = 0.045;  // least fraction of all points
-    constexpr double kEnough = 0.3;   // least mean weight of the part's points
-    return points >= kShare * static_cast<double>(all) && weight >= kEnough * points;
+  bool suffices() const {
+    constexpr double kEnough = 0.3;  // least mean weight of the part's points
+    return weight >= kEnough * points;
   }
 };
+
+/// The chroma difference of a part.
+struct PartDifference {
+  double difference;
+  double points;
+};
+
+/// Largest difference that parts of at least kShare of `all` points reach together, because the
+/// colours of a small print can be divided into several parts.
+double worst_of_share(std::vector<PartDifference> parts, std::size_t all) {
+  constexpr double kShare = 0.045;
+  std::sort(parts.begin(), parts.end(), [](const PartDifference& a, const PartDifference& b) {
+    return a.difference > b.difference;
+  });
+  double points = 0;
+  for (const auto& part : parts) {
+    points += part.points;
+    if (points >= kShare * static_cast<double>(all)) return part.difference;
+  }
+  return 0;
+}
 
 /// Chroma differences `off` of the points, by part.
 std::vector<VisiblePart> by_part(const std::vector<int>& part_of,
@@ -179,14 +199,14 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
   }
   const cv::Point2f ground_off = chroma_off(ground_, ground);
   const auto worst_of = [&](const std::vector<int>& part_of) {
-    double worst = 0;
+    std::vector<PartDifference> differences;
     for (auto& part : by_part(part_of, off, weights)) {
-      if (!part.tells(surface.size())) continue;
+      if (!part.suffices()) continue;
       const cv::Point2f typical(numeric::weighted_median(part.red),
                                 numeric::weighted_median(part.blue));
-      worst = std::max(worst, cv::norm(unexplained(typical, ground_off)));
+      differences.push_back({cv::norm(unexplained(typical, ground_off)), part.points});
     }
-    return worst;
+    return worst_of_share(std::move(differences), surface.size());
   };
   return {worst_of(colour_), worst_of(block_)};
 }
