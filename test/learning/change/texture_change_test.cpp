@@ -38,7 +38,7 @@ TEST(TextureChange, NoiseAddsNoContrastToStrongTexture) {
   cv::Mat before = grey(100, 5.5, 1, 1.5), after = before * 0.5;
   grey(100, 20)(cv::Rect(0, 0, 60, 120)).copyTo(before(cv::Rect(0, 0, 60, 120)));
   cv::Mat(grey(50, 10)(cv::Rect(0, 0, 60, 120))).copyTo(after(cv::Rect(0, 0, 60, 120)));
-  EXPECT_NEAR(texture_change(noisy(before, 3, 3), noisy(after, 3, 4), kWhite).contrast, 2, 0.15);
+  EXPECT_NEAR(texture_change(noisy(before, 8, 3), noisy(after, 8, 4), kWhite).contrast, 2, 0.15);
 }
 
 TEST(TextureChange, ContrastIgnoresPixelsNearWhite) {
