@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Adds disturbances of real cameras and tables to simulated lessons.
+"""Adds disturbances of cameras and tables to lessons.
 
 usage: disturb.py SET OUT KIND [--seed N]
-  SET   folder of cases (learn_before.png, learn_after.png, gt_mask.png, roi.txt)
+  SET   folder that holds cases (learn_before.png, learn_after.png, gt_mask.png, roi.txt) at any depth
   OUT   folder for the disturbed cases
   KIND  moving_shadow   a stripe of shadow at a different place in each image
         glow            the platform around the object takes on its colour
@@ -12,6 +12,13 @@ usage: disturb.py SET OUT KIND [--seed N]
         banding         flicker bands of +-3 grey levels, with a different phase in each image
         sharpened       unsharp mask, amount 1
         exposure        gain of 1.08 and white balance of +-4 % between the images
+        noise           of 12 grey levels in each channel of both images
+        faulty_pixels   .2 % black and white pixels in both images
+        denoised        median of 5 x 5 pixels in both images
+        defocused       the image after is blurred by 1.3 px
+        gamma           of .85 in the image after
+        haze            a fifth of the image after is grey
+        turned          the camera turned by .3 degrees between the images
 
 Needs python3-opencv.
 """
@@ -87,8 +94,46 @@ def exposure(before, after, mask, roi, random):
     return [before, to_image(after * 1.08 * balance)]
 
 
+def noise(before, after, mask, roi, random):
+    return [to_image(image + random.normal(0, 12, image.shape)) for image in (before, after)]
+
+
+def faulty_pixels(before, after, mask, roi, random):
+    result = []
+    for image in (before, after):
+        image = image.copy()
+        faulty = random.uniform(size=mask.shape) < .002
+        image[faulty] = random.choice([0, 255], (faulty.sum(), 1))
+        result.append(image)
+    return result
+
+
+def denoised(before, after, mask, roi, random):
+    return [cv2.medianBlur(image, 5) for image in (before, after)]
+
+
+def defocused(before, after, mask, roi, random):
+    return [before, cv2.GaussianBlur(after, (0, 0), 1.3)]
+
+
+def gamma(before, after, mask, roi, random):
+    return [before, to_image(255 * (after / 255) ** .85)]
+
+
+def haze(before, after, mask, roi, random):
+    return [before, to_image(.8 * after + .2 * 210)]
+
+
+def turned(before, after, mask, roi, random):
+    height, width = mask.shape
+    motion = cv2.getRotationMatrix2D((width / 2, height / 2), .3, 1)
+    return [before, cv2.warpAffine(after, motion, (width, height), flags=cv2.INTER_CUBIC,
+                                   borderMode=cv2.BORDER_REPLICATE)]
+
+
 KINDS = {'moving_shadow': moving_shadow, 'glow': glow, 'jpeg60': jpeg(60), 'jpeg30': jpeg(30), 'bayer': bayer,
-         'banding': banding, 'sharpened': sharpened, 'exposure': exposure}
+         'banding': banding, 'sharpened': sharpened, 'exposure': exposure, 'noise': noise, 'faulty_pixels': faulty_pixels,
+         'denoised': denoised, 'defocused': defocused, 'gamma': gamma, 'haze': haze, 'turned': turned}
 
 
 def main():
@@ -98,19 +143,21 @@ def main():
     parser.add_argument('kind', choices=KINDS)
     parser.add_argument('--seed', type=int, default=0)
     arguments = parser.parse_args()
-    for number, case in enumerate(sorted(path.parent for path in arguments.set.glob('*/learn_after.png'))):
+    for number, case in enumerate(sorted(path.parent for path in arguments.set.rglob('learn_after.png'))):
         random = np.random.default_rng([arguments.seed, number])
         before, after = (cv2.imread(str(case / f'learn_{when}.png')) for when in ('before', 'after'))
         mask = cv2.imread(str(case / 'gt_mask.png'), cv2.IMREAD_GRAYSCALE)
         roi = [float(word) for word in (case / 'roi.txt').read_text().split()]
         images = KINDS[arguments.kind](before, after, mask, roi, random)
-        out = arguments.out / case.name
+        out = arguments.out / case.relative_to(arguments.set)
         out.mkdir(parents=True, exist_ok=True)
         for when, image in zip(('before', 'after'), images):
             cv2.imwrite(str(out / f'learn_{when}.png'), image)
-        for name in ('gt_mask.png', 'roi.txt', 'meta.json'):
+        for name in ('gt_mask.png', 'roi.txt', 'click.txt', 'meta.json'):
             if (case / name).exists():
                 shutil.copy(case / name, out / name)
+        for source in case.parent.glob('*.json'):
+            shutil.copy(source, out.parent / source.name)
 
 
 if __name__ == '__main__':
