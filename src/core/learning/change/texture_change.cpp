@@ -58,11 +58,7 @@ struct Squares {
   }
 };
 
-}  // namespace
-
-TextureChange texture_change(const cv::Mat& noisy_before, const cv::Mat& noisy_after,
-                             double white) {
-  const cv::Mat before = without_noise(noisy_before), after = without_noise(noisy_after);
+TextureChange compare_squares(const cv::Mat& before, const cv::Mat& after, double white) {
   const cv::Mat mean_b = box_mean(before), mean_a = box_mean(after);
   const cv::Mat bb = mean_product(before, before), aa = mean_product(after, after),
                 ba = mean_product(before, after);
@@ -86,6 +82,12 @@ TextureChange texture_change(const cv::Mat& noisy_before, const cv::Mat& noisy_a
   }
   return {std::min(textured_before.displaced_part(), textured_after.displaced_part()),
           contrasts.size() < kFewest ? 1 : numeric::median(contrasts)};
+}
+
+}  // namespace
+
+TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white) {
+  return compare_squares(without_noise(before), without_noise(after), white);
 }
 
 }  // namespace mbncc::change

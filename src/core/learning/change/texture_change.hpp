@@ -20,7 +20,7 @@ struct TextureChange {
 };
 
 /// Compares grey images (CV_32FC1, same size). `after` was scaled to the brightness of `before`;
-/// white is 255 in `before` and `white` in `after`.
+/// white is 255 in `before` and `white` in `after`. Noise and faulty pixels count as no texture.
 TextureChange texture_change(const cv::Mat& before, const cv::Mat& after, double white);
 
 }  // namespace mbncc::change

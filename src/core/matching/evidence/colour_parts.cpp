@@ -54,6 +54,7 @@ struct VisiblePart {
   std::vector<numeric::Weighted> red, blue;
   double points = 0, weight = 0;
 
+  /// Whether enough of the part is visible.
   bool suffices() const {
     constexpr double kEnough = 0.3;  // least mean weight of the part's points
     return weight >= kEnough * points;

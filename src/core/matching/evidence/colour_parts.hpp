@@ -17,7 +17,7 @@ cv::Vec3f background_colour(const templates::ContourTemplate& contour,
                             const scene::SceneLevel& scene, const Pose2D& pose, double scale = 1);
 
 /// [0..2] Chroma difference (ln R/G, ln B/G) between image and lesson, in the light of the image,
-/// of the parts that differ most. Parts smaller than .045 of the surface count together.
+/// that parts with at least .045 of the surface's points reach together.
 struct ColourDifference {
   double colour = 0;  ///< over parts of uniform colour: less sensitive to occlusion
   double block = 0;   ///< over blocks: also sensitive to occlusion inside the outline
