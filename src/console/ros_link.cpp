@@ -18,7 +18,8 @@
 namespace mbncc::console {
 namespace {
 
-const char* const kUnreachable = "the learning nodelet does not answer";
+const char* const kNoTeacher = "the learning nodelet does not answer";
+const char* const kNoMatcher = "the matching nodelet does not answer";
 
 // Limits for images that wait for their detections.
 constexpr std::size_t kImagesKept = 30, kBytesKept = std::size_t{96} << 20;
@@ -64,7 +65,7 @@ void announce_types() {
 
 }  // namespace
 
-RosLink::RosLink() : worker_([this] { work(); }) {
+RosLink::RosLink() {
   announce_types();
 }
 
@@ -72,13 +73,6 @@ RosLink::~RosLink() {
   spinner_.stop();
   subscribers_.clear();
   images_.shutdown();
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    stopping_ = true;
-    under_way_.shutdown();
-  }
-  changed_.notify_all();
-  worker_.join();
 }
 
 void RosLink::connect_to(const Names& names) {
@@ -223,60 +217,58 @@ void RosLink::cancel(const std::string& goal) {
 }
 
 void RosLink::confirm(const mbncc_vision::ConfirmLearning::Request& request) {
-  later([this, request] {
+  calls_.later([this, request] {
     mbncc_vision::ConfirmLearning call;
     call.request = request;
-    const bool answered = this->call("confirm_learning", call);
+    const bool answered = calls_.call(node_, "confirm_learning", call);
     Q_EMIT confirmed(answered, call.response.success,
-                     answered ? QString::fromStdString(call.response.message) : kUnreachable);
+                     answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
 }
 
 void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
-  later([this, request] {
+  calls_.later([this, request] {
     mbncc_vision::EditObject call;
     call.request = request;
-    const bool answered = this->call("edit_object", call);
+    const bool answered = calls_.call(node_, "edit_object", call);
     Q_EMIT edited(request, answered && call.response.success,
-                  answered ? QString::fromStdString(call.response.message) : kUnreachable);
+                  answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
   list_objects();
 }
 
 void RosLink::mark_grasp() {
-  later([this] {
+  calls_.later([this] {
     std_srvs::Trigger call;
-    const bool answered = this->call("mark_grasp", call);
+    const bool answered = calls_.call(node_, "mark_grasp", call);
     Q_EMIT grasp_marked(answered && call.response.success,
-                        answered ? QString::fromStdString(call.response.message) : kUnreachable);
+                        answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
 }
 
 void RosLink::explain(QPointF place) {
-  later([this, place, shown = shown()] {
+  calls_.later([this, place, shown = shown()] {
     mbncc_vision::ExplainPlace call;
     call.request.place.x = place.x();
     call.request.place.y = place.y();
     if (shown) call.request.image = *shown;
     explained_ = call.request;
-    const bool answered = this->call(matching_ + "/explain", call);
+    const bool answered = calls_.call(node_, matching_ + "/explain", call);
     Q_EMIT explained(answered && call.response.success,
-                     answered ? QString::fromStdString(call.response.message)
-                              : "the matching nodelet does not answer",
+                     answered ? QString::fromStdString(call.response.message) : kNoMatcher,
                      answered ? to_qimage(to_rgb(call.response.picture)) : QImage());
   });
 }
 
 void RosLink::find_all() {
-  later([this, shown = shown()] {
+  calls_.later([this, shown = shown()] {
     if (!shown) return Q_EMIT all_found(false, "no image received yet", {}, {}, {});
     mbncc_vision::FindObjects call;
     call.request.image = *shown;
     call.request.min_score = kHardlyAny;
-    const bool answered = this->call("find_objects", call);
+    const bool answered = calls_.call(node_, "find_objects", call);
     Q_EMIT all_found(answered && call.response.success,
-                     answered ? QString::fromStdString(call.response.message)
-                              : "the matching nodelet does not answer",
+                     answered ? QString::fromStdString(call.response.message) : kNoMatcher,
                      to_qimage(small(live_rgb(*shown))), size_of(*shown), call.response.detections);
   });
 }
@@ -289,7 +281,7 @@ Thresholds RosLink::thresholds() const {
 }
 
 void RosLink::set_thresholds(const Thresholds& thresholds) {
-  later([this, thresholds] {
+  calls_.later([this, thresholds] {
     dynamic_reconfigure::Reconfigure call;
     const auto add = [&](const char* name, double value) {
       auto& parameter = call.request.config.doubles.emplace_back();
@@ -298,21 +290,21 @@ void RosLink::set_thresholds(const Thresholds& thresholds) {
     };
     add("min_score", thresholds.min_score);
     add("confirm_score", thresholds.confirm_score);
-    const bool answered = this->call(matching_ + "/set_parameters", call);
+    const bool answered = calls_.call(node_, matching_ + "/set_parameters", call);
     Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
                                                "set them in config/matching.yaml to keep them."
-                                             : "the matching nodelet does not answer");
+                                             : kNoMatcher);
   });
 }
 
 void RosLink::set_search_region(const QRect& region) {
-  later([this, region] {
+  calls_.later([this, region] {
     dynamic_reconfigure::Reconfigure call;
     auto& parameter = call.request.config.strs.emplace_back();
     parameter.name = kSearchRegion;
     parameter.value = text_of(region);
-    const bool answered = this->call(matching_ + "/set_parameters", call);
-    if (!answered) return Q_EMIT search_region_set(false, "the matching nodelet does not answer");
+    const bool answered = calls_.call(node_, matching_ + "/set_parameters", call);
+    if (!answered) return Q_EMIT search_region_set(false, kNoMatcher);
     const bool taken = region_of(call.response.config) == region;
     Q_EMIT search_region_set(taken, !taken             ? "the matcher refused the search region"
                                     : region.isEmpty() ? "The whole image is searched."
@@ -326,10 +318,10 @@ void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
                                    "these images are rectified, but the camera's raw images are "
                                    "needed; start the cell without rectify and top_view to "
                                    "calibrate the lens");
-  later([this, calibration] {
+  calls_.later([this, calibration] {
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = calibration;
-    const bool answered = this->call("set_camera_info", call);
+    const bool answered = calls_.call(node_, "set_camera_info", call);
     Q_EMIT calibration_kept(
         answered && call.response.success,
         answered
@@ -345,11 +337,11 @@ CellImages RosLink::images() const {
 }
 
 void RosLink::save_explained() {
-  later([this] {
+  calls_.later([this] {
     mbncc_vision::ExplainPlace call;
     call.request = explained_;
     call.request.save = true;
-    const bool answered = this->call(matching_ + "/explain", call) && call.response.success;
+    const bool answered = calls_.call(node_, matching_ + "/explain", call) && call.response.success;
     Q_EMIT explained_saved(answered ? QString::fromStdString(call.response.file) : QString());
   });
 }
@@ -361,53 +353,17 @@ std::string RosLink::why_no_grasps() const {
 }
 
 void RosLink::list_objects() {
-  later([this] {
+  calls_.later([this] {
     mbncc_vision::ListObjects call;
     call.request.with_thumbnails = true;
-    if (this->call("list_objects", call))
+    if (calls_.call(node_, "list_objects", call))
       Q_EMIT objects_listed(call.response.objects,
                             QString::fromStdString(call.response.library_path));
   });
 }
 
-template <class Service>
-bool RosLink::call(const std::string& name, Service& service) {
-  // Each call has its own connection, because a call that waits for its answer can only be aborted
-  // by shutting down the connection.
-  auto client = node_.serviceClient<Service>(name, true);
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    if (stopping_) return false;
-    under_way_ = client;
-  }
-  return client.isValid() && client.call(service);
-}
-
 void RosLink::give_up() {
-  const std::lock_guard<std::mutex> lock(mutex_);
-  under_way_.shutdown();
-}
-
-void RosLink::later(std::function<void()> call) {
-  {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    calls_.push(std::move(call));
-  }
-  changed_.notify_all();
-}
-
-void RosLink::work() {
-  for (;;) {
-    std::function<void()> call;
-    {
-      std::unique_lock<std::mutex> lock(mutex_);
-      changed_.wait(lock, [this] { return stopping_ || !calls_.empty(); });
-      if (stopping_) return;
-      call = std::move(calls_.front());
-      calls_.pop();
-    }
-    call();
-  }
+  calls_.give_up();
 }
 
 }  // namespace mbncc::console

@@ -23,6 +23,7 @@
 #include "console/cell_settings.hpp"
 #include "console/image/image_origin.hpp"
 #include "console/image/images.hpp"
+#include "console/service_calls.hpp"
 #endif
 
 #include <QImage>
@@ -31,13 +32,9 @@
 #include <QRect>
 #include <QString>
 #include <atomic>
-#include <condition_variable>
 #include <deque>
-#include <functional>
 #include <mutex>
-#include <queue>
 #include <string>
-#include <thread>
 #include <vector>
 
 namespace mbncc::console {
@@ -139,10 +136,6 @@ class RosLink : public QObject {
   sensor_msgs::ImageConstPtr shown();
   void note_shown(const sensor_msgs::ImageConstPtr& message);
   void take_detections(const mbncc_vision::DetectedObjectArray& detections);
-  void later(std::function<void()> call);
-  template <class Service>
-  bool call(const std::string& name, Service& service);
-  void work();
 
   ros::CallbackQueue queue_;
   ros::AsyncSpinner spinner_{1, &queue_};
@@ -159,13 +152,7 @@ class RosLink : public QObject {
   sensor_msgs::ImageConstPtr shown_;               // the newest one delivered
   mbncc_vision::ExplainPlace::Request explained_;  // used only by the worker's thread
   std::string learning_ = "learning", matching_;
-
-  std::mutex mutex_;
-  std::condition_variable changed_;
-  std::queue<std::function<void()>> calls_;
-  bool stopping_ = false;
-  ros::ServiceClient under_way_;
-  std::thread worker_;
+  ServiceCalls calls_;  // last, so that no function runs while the rest is being destroyed
 };
 
 }  // namespace mbncc::console

@@ -4,35 +4,24 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 #include <QTime>
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
-#include "console/image/label_places.hpp"
+#include "console/image/image_painter.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {
 namespace {
 
-const QColor kInclude("#56b4e9"), kExclude("#d55e00"), kRegion("#f0e442");
-const QColor kX("#d55e00"), kY("#009e73");
-constexpr double kAxes = 34;               // [px] of the widget, length of a mark's axes
 constexpr int kNotch = 240;                // wheel units that double the size
-constexpr double kOutline = 1.5;           // [px] of the widget
-constexpr double kPen = 9;                 // [px] of the widget, length of the pen's arms
 constexpr double kPan = 60;                // [px] of the widget, pan per key press
 constexpr float kStep = 6, kFineStep = 1;  // [px] of the image, pen motion per key press
 
 cv::Size size_of(const QSize& size) {
   return {size.width(), size.height()};
-}
-
-QColor colour_of_tool(Tool tool) {
-  if (tool == Tool::kInclude) return kInclude;
-  return tool == Tool::kExclude ? kExclude : kRegion;
 }
 
 /// Direction of an arrow key; null for other keys.
@@ -49,12 +38,6 @@ QPoint way_of(int key) {
     default:
       return {};
   }
-}
-
-std::vector<cv::Point2f> points_of(const geometry_msgs::Polygon& polygon) {
-  std::vector<cv::Point2f> points;
-  for (const auto& point : polygon.points) points.emplace_back(point.x, point.y);
-  return points;
 }
 
 }  // namespace
@@ -217,11 +200,6 @@ void ImageView::fit() {
   frame_.set_sizes(size_of(size_), size_of(size()));
 }
 
-QPointF ImageView::on_widget(cv::Point2d image) const {
-  const cv::Point2d point = frame_.to_widget(image);
-  return {point.x, point.y};
-}
-
 cv::Point2f ImageView::on_image(const QPointF& widget) const {
   return cv::Point2f(frame_.to_image({widget.x(), widget.y()}));
 }
@@ -229,163 +207,25 @@ cv::Point2f ImageView::on_image(const QPointF& widget) const {
 void ImageView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), QColor("#202020"));
-  if (image_.isNull()) {
-    painter.setPen(Qt::white);
-    painter.drawText(rect(), Qt::AlignCenter, "No image from the camera yet");
-    return;
-  }
-  painter.setRenderHint(QPainter::SmoothPixmapTransform);
-  painter.drawImage(
-      QRectF(on_widget({-0.5, -0.5}), on_widget({size_.width() - 0.5, size_.height() - 0.5})),
-      image_);
-  if (outdated_) painter.fillRect(rect(), QColor(110, 110, 110, 190));
+  const ImagePainter over(painter, frame_, rect());
+  if (image_.isNull()) return over.draw_no_image();
+  over.draw_image(image_, size_);
+  if (outdated_) over.draw_outdated();
   painter.setRenderHint(QPainter::Antialiasing);
-  if (marks_shown_ && !outdated_) {
-    paint_region(painter);
-    paint_marks(painter);
-    paint_labels(painter);
-  }
-  paint_tool(painter);
-  paint_pen(painter);
-  paint_caption(painter);
-  if (hasFocus()) paint_focus(painter);
+  if (marks_shown_ && !outdated_) draw_marks(over);
+  for (const auto& request : waiting_) over.draw_strokes(request);
+  over.draw_tool(tool_);
+  if (draws() && hasFocus()) over.draw_pen(pen());
+  over.draw_caption(caption_);
+  if (hasFocus()) over.draw_focus(palette().highlight().color());
 }
 
-/// Draws the cross at which the keyboard draws.
-void ImageView::paint_pen(QPainter& painter) const {
-  if (!draws() || !hasFocus()) return;
-  const QPointF at = on_widget(pen());
-  for (const auto& pen : {QPen(Qt::black, 4), QPen(Qt::white, 2)}) {
-    painter.setPen(pen);
-    painter.drawLine(at - QPointF(kPen, 0), at + QPointF(kPen, 0));
-    painter.drawLine(at - QPointF(0, kPen), at + QPointF(0, kPen));
-  }
-}
-
-void ImageView::paint_focus(QPainter& painter) const {
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(palette().highlight(), 2));
-  painter.drawRect(rect().adjusted(1, 1, -1, -1));
-}
-
-/// The part that is not searched is drawn darker.
-void ImageView::paint_region(QPainter& painter) const {
-  if (region_.isEmpty()) return;
-  const QRectF box(on_widget({region_.x() - 0.5, region_.y() - 0.5}),
-                   on_widget({region_.right() + 0.5, region_.bottom() + 0.5}));
-  QPainterPath outside;
-  outside.addRect(rect());
-  QPainterPath inside;
-  inside.addRect(box);
-  painter.fillPath(outside.subtracted(inside), QColor(0, 0, 0, 110));
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(kRegion, 2, Qt::DashLine));
-  painter.drawRect(box);
-}
-
-void ImageView::paint_marks(QPainter& painter) const {
-  for (const auto& mark : marks_) {
-    QPainterPath path;
-    for (const auto& outline : mark.outlines) {
-      QPolygonF line;
-      for (const auto& point : outline) line << on_widget(point);
-      path.addPolygon(line);
-      path.closeSubpath();
-    }
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(Qt::black, kOutline + 1.5));
-    painter.drawPath(path);
-    QPen pen(QColor(bright_colour_of(mark.level)), kOutline);
-    // Unknown states are not marked by colour alone.
-    if (mark.level == Level::kUnknown) pen.setStyle(Qt::DashLine);
-    painter.setPen(pen);
-    painter.drawPath(path);
-    if (tool_.tool() != Tool::kAxes)
-      paint_axes(painter, mark.origin, mark.theta, kAxes / frame_.scale(), false);
-  }
-}
-
-void ImageView::paint_labels(QPainter& painter) const {
-  QFont bold = painter.font();
-  bold.setBold(true);
-  painter.setFont(bold);
-  std::vector<LabelledThing> things;
-  for (const auto& mark : marks_) {
-    QRectF box(on_widget(mark.origin), QSizeF(1, 1));
-    for (const auto& outline : mark.outlines)
-      for (const auto& point : outline) box = box.united(QRectF(on_widget(point), QSizeF(1, 1)));
-    const QRect text = painter.fontMetrics().boundingRect(QString::fromStdString(mark.label));
-    const QRect whole = box.toAlignedRect();
-    things.push_back({{whole.x(), whole.y(), whole.width(), whole.height()},
-                      {text.width() + 10, text.height() + 4}});
-  }
-  const auto places = place_labels(things, {0, 0, width(), height()});
-  for (std::size_t i = 0; i < marks_.size(); ++i) {
-    const QRect plate(places[i].x, places[i].y, places[i].width, places[i].height);
-    painter.fillRect(plate, QColor(colour_of(marks_[i].level)));
-    painter.setPen(QColor(ink_on(marks_[i].level)));
-    painter.drawText(plate, Qt::AlignCenter, QString::fromStdString(marks_[i].label));
-  }
-}
-
-void ImageView::paint_tool(QPainter& painter) const {
-  for (const auto& request : waiting_) {
-    for (const auto& line : request.include)
-      paint_stroke(painter, points_of(line), request.stroke_width, Tool::kInclude);
-    for (const auto& line : request.exclude)
-      paint_stroke(painter, points_of(line), request.stroke_width, Tool::kExclude);
-  }
-  if (tool_.tool() == Tool::kAxes) {
-    const auto& axes = tool_.axes();
-    return paint_axes(painter, {axes.x, axes.y}, axes.theta, tool_.axes_length(), true);
-  }
-  if (!tool_.drawing() || tool_.points().size() < 2) return;
-  if (tool_.tool() != Tool::kRegion)
-    return paint_stroke(painter, tool_.points(), tool_.stroke_width(), tool_.tool());
-  painter.setPen(QPen(kRegion, 2, Qt::DashLine));
-  painter.drawRect(QRectF(on_widget(tool_.points()[0]), on_widget(tool_.points()[1])));
-}
-
-void ImageView::paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points,
-                             double width, Tool tool) const {
-  QColor colour = colour_of_tool(tool);
-  colour.setAlpha(170);
-  QPolygonF line;
-  for (const auto& point : points) line << on_widget(point);
-  painter.setPen(QPen(colour, width * frame_.scale(), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  painter.drawPolyline(line);
-}
-
-void ImageView::paint_axes(QPainter& painter, cv::Point2d origin, double theta, double length,
-                           bool grips) const {
-  const cv::Point2d x(std::cos(theta), std::sin(theta)), y(-x.y, x.x);
-  const double thick = grips ? 3 : 2;
-  const auto line = [&](const QColor& colour, const cv::Point2d& tip) {
-    painter.setPen(QPen(Qt::black, 2 * thick));
-    painter.drawLine(on_widget(origin), on_widget(tip));
-    painter.setPen(QPen(colour, thick));
-    painter.drawLine(on_widget(origin), on_widget(tip));
-  };
-  line(kY, origin + y * length);
-  line(kX, origin + x * length);
-  if (!grips) return;
-  painter.setPen(QPen(Qt::black, 1));
-  painter.setBrush(kX);
-  painter.drawEllipse(on_widget(origin + x * length), 7, 7);
-  painter.setBrush(Qt::white);
-  painter.drawEllipse(on_widget(origin), 7, 7);
-}
-
-void ImageView::paint_caption(QPainter& painter) const {
-  if (caption_.isEmpty()) return;
-  QFont font = painter.font();
-  font.setBold(true);
-  painter.setFont(font);
-  const QRect box = painter.fontMetrics().boundingRect(caption_).adjusted(-8, -4, 8, 4);
-  const QRect plate(6, 6, box.width(), box.height());
-  painter.fillRect(plate, QColor(0, 0, 0, 170));
-  painter.setPen(Qt::white);
-  painter.drawText(plate, Qt::AlignCenter, caption_);
+void ImageView::draw_marks(const ImagePainter& over) const {
+  over.draw_region(region_);
+  over.draw_outlines(marks_);
+  // The axes tool draws the frame itself.
+  if (tool_.tool() != Tool::kAxes) over.draw_frames(marks_);
+  over.draw_labels(marks_);
 }
 
 void ImageView::mousePressEvent(QMouseEvent* event) {

@@ -19,6 +19,8 @@
 
 namespace mbncc::console {
 
+class ImagePainter;
+
 /// "Still image of 12:03:05", with the current time, so that the image is not mistaken for a live
 /// one.
 QString still_caption();
@@ -85,19 +87,8 @@ class ImageView : public QWidget {
   void fit();
   void set_caption(const QString& caption);
   void show_cursor();
-  QPointF on_widget(cv::Point2d image) const;
   cv::Point2f on_image(const QPointF& widget) const;
-  void paint_marks(QPainter& painter) const;
-  void paint_labels(QPainter& painter) const;
-  void paint_axes(QPainter& painter, cv::Point2d origin, double theta, double length,
-                  bool grips) const;
-  void paint_region(QPainter& painter) const;
-  void paint_tool(QPainter& painter) const;
-  void paint_stroke(QPainter& painter, const std::vector<cv::Point2f>& points, double width,
-                    Tool tool) const;
-  void paint_pen(QPainter& painter) const;
-  void paint_focus(QPainter& painter) const;
-  void paint_caption(QPainter& painter) const;
+  void draw_marks(const ImagePainter& over) const;
   bool draws() const;
   cv::Point2f pen() const;
   void move_pen(QPoint way, float step);
