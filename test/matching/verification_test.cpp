@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Tests of alternatives to a pose.
 #include <cmath>
+#include <memory>
 
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/matcher_fixture.hpp"
@@ -136,6 +137,19 @@ TEST_F(VerificationTest, TheMirrorImageIsDetectedAndLowersTheOdds) {
   EXPECT_TRUE(found.mirror_alternative);
   EXPECT_LT(found.colour_difference, 0.15) << "no colour differs";
   EXPECT_LT(found.log_odds(), 8);
+}
+
+TEST_F(VerificationTest, ARoundObjectHasNoMirrorImage) {
+  auto model = std::make_shared<ObjectModel>(*test::object_from(source_, reference_));
+  model->symmetry = 0;
+  const prepared::PreparedObject object(model, prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::SceneImage scene(scene_with(test::mirrored(source_), truth_), object.top_level());
+  search::PoseHypothesis hypothesis = search::score_as_is(view, scene, {truth_.x, truth_.y, 0});
+  hypothesis.odds = 10;
+  const decision::Detection found = search::verify(object, view, scene, {hypothesis}).at(0);
+  EXPECT_FALSE(found.mirror_alternative);
+  EXPECT_DOUBLE_EQ(found.odds.mirror, 0);
 }
 
 // The only difference between the plate and its mirror image is the missing tip of one corner.

@@ -113,9 +113,11 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
 }
 
 /// Advantage in agreement of the mirrored outline at a pose. If it is large, the object lies on its
-/// other side, or its mirror image lies there.
+/// other side, or its mirror image lies there. None for a round object, whose outline is its own
+/// mirror image.
 double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
                         const refinement::Refined& place) {
+  if (view.symmetry == 0) return 0;
   return view.mirrored_contour.advantage(view.fine.contour, scene.levels[0], place.pose,
                                          place.scale);
 }
