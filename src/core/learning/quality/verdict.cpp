@@ -55,8 +55,8 @@ constexpr std::array<Reason, 18> kReasons{{
      "outline."},
     {"unverified_cut",
      "Check the outline: one image alone cannot confirm it. If possible, teach by change."},
-    {"round", "The object does not show its angle: any angle may be reported."},
-    {"symmetric", "The object looks the same after part of a turn: the angle is known up to that."},
+    {"round", "All angles count as equal: any of them may be reported."},
+    {"symmetric", "Angles a part of a turn apart count as equal: any of them may be reported."},
     {"", ""},
 }};
 
