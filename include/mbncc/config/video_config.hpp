@@ -9,7 +9,7 @@ namespace mbncc {
 struct VideoConfig {
   double sweep_time = 60;  ///< [s] period in which every object is searched once in the whole image
                            ///< even if nothing changes; 0: all objects in every image
-  double max_search_cost = 1.5;  ///< of a changed image, in searches of one object in a whole image
+  double max_search_cost = 3;  ///< of a changed image, in searches of one object in a whole image
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {

@@ -12,14 +12,9 @@ int equally_urgent(const std::string&) {
   return 0;
 }
 
-/// The region that is searched next for one object.
-PendingRegions::Pending next_of(const PendingRegions& pending) {
-  return pending.next(equally_urgent, 0, 1).at(0);
-}
-
 TEST(PendingRegions, AnEmptyListHasNoNextRegion) {
   const PendingRegions pending;
-  EXPECT_TRUE(pending.next(equally_urgent, 0, 9).empty());
+  EXPECT_FALSE(pending.next(equally_urgent).has_value());
   EXPECT_FALSE(pending.contains("part"));
   EXPECT_FALSE(pending.is_open(kHere));
 }
@@ -28,37 +23,17 @@ TEST(PendingRegions, MostUrgentComesFirst) {
   PendingRegions pending;
   pending.add("a", kHere);
   pending.add("b", kThere);
-  const auto due = pending.next([](const std::string& name) { return name == "b" ? 0 : 1; }, 1, 9);
-  ASSERT_EQ(due.size(), 1U) << "the other object's region is elsewhere";
-  EXPECT_EQ(due[0].region, kThere);
-  EXPECT_EQ(due[0].name, "b");
-}
-
-TEST(PendingRegions, ObjectsAtOnePlaceAreSearchedForTogether) {
-  PendingRegions pending;
-  for (const auto* name : {"a", "b", "c"}) pending.add(name, kHere);
-  pending.add("d", kThere);
-  pending.add("c", kThere);
-  const auto due = pending.next(equally_urgent, 0, 9);
-  ASSERT_EQ(due.size(), 3U) << "each object once, and none elsewhere";
-  for (const auto& one : due) EXPECT_EQ(one.region, kHere);
-  EXPECT_EQ(pending.next(equally_urgent, 0, 2).size(), 2U);
-}
-
-TEST(PendingRegions, LessUrgentObjectsAreLeftOut) {
-  PendingRegions pending;
-  pending.add("a", kHere);
-  pending.add("b", kHere);
-  const auto urgency = [](const std::string& name) { return name == "a" ? 1 : 2; };
-  EXPECT_EQ(pending.next(urgency, 1, 9).size(), 1U);
-  EXPECT_TRUE(pending.next(urgency, 0, 9).empty());
+  const auto due = pending.next([](const std::string& name) { return name == "b" ? 0 : 1; });
+  ASSERT_TRUE(due.has_value());
+  EXPECT_EQ(due->region, kThere);
+  EXPECT_EQ(due->name, "b");
 }
 
 TEST(PendingRegions, OldestComesFirst) {
   PendingRegions pending;
   pending.add("a", kThere);
   pending.add("b", kHere);
-  EXPECT_EQ(next_of(pending).region, kThere);
+  EXPECT_EQ(pending.next(equally_urgent)->region, kThere);
 }
 
 TEST(PendingRegions, CompletedRegionsAreClosed) {
@@ -77,9 +52,9 @@ TEST(PendingRegions, JoinsOnlyRegionsThatNearlyCoverEachOther) {
   pending.add("a", kHere);
   pending.add("a", kHere + cv::Point(5, 0));
   pending.add("a", kThere);
-  EXPECT_EQ(next_of(pending).region, (kHere | (kHere + cv::Point(5, 0))));
-  pending.complete("a", next_of(pending).region);
-  EXPECT_EQ(next_of(pending).region, kThere);
+  EXPECT_EQ(pending.next(equally_urgent)->region, (kHere | (kHere + cv::Point(5, 0))));
+  pending.complete("a", pending.next(equally_urgent)->region);
+  EXPECT_EQ(pending.next(equally_urgent)->region, kThere);
 }
 
 TEST(PendingRegions, ForgottenObjectsHaveNoPendingRegions) {

@@ -96,24 +96,6 @@ TEST_F(VideoSearchTest, NewObjectIsGraspableOnlyAfterAllWereSearchedThere) {
   EXPECT_TRUE(graspable);
 }
 
-TEST_F(VideoSearchTest, ManyObjectsAreComparedTogether) {
-  constexpr int kObjects = 40;
-  for (int i = 3; i < kObjects; ++i) {
-    const sim::SceneObject other{static_cast<std::uint64_t>(11 + i), 50.0 + i, 1.5};
-    models_.push_back(learned(other, name(i)));
-  }
-  matcher_.set_objects(models_);
-  put(1, kRight);
-  show_many(5);
-  put(0, kLeft);
-  int images = 0;
-  for (bool graspable = false; images < kObjects && !graspable; ++images) {
-    const SearchResult result = show();
-    graspable = of(result, 0) && of(result, 0)->graspable;
-  }
-  EXPECT_LT(images, 12) << "17 if the objects are searched for one by one";
-}
-
 // Reference points are searched around a change, so they may lie slightly outside of it.
 TEST_F(VideoSearchTest, FindsAnObjectWhoseReferencePointLiesBesideIt) {
   const auto model = std::make_shared<ObjectModel>(*models_[0]);

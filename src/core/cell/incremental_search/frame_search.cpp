@@ -242,39 +242,24 @@ void FrameSearch::sweep_for(const std::string& name) {
 void FrameSearch::search_pending(Urgency least) {
   const auto urgency = [this](const std::string& name) { return urgency_of(name); };
   while (search_.spent() < config_.max_search_cost) {
-    const auto due =
-        memory_.pending.next(urgency, least, search_.affordable(config_.max_search_cost));
-    if (due.empty()) return;
-    std::vector<std::string> names;
-    cv::Rect region;
-    for (const auto& one : due) {
-      names.push_back(one.name);
-      region |= one.region;
-    }
-    if (!search_place(names, region)) return;
-    for (const auto& one : due) memory_.pending.complete(one.name, one.region);
+    const auto due = memory_.pending.next(urgency);
+    if (!due || urgency_of(due->name) > least) return;
+    search_uncompared(due->name, due->region);
+    const SearchResult result = search(due->region, {due->name});
+    if (result.searched.empty()) return;
+    const std::vector<Instance> before = memory_.instances.all();
+    for (const auto& match : result.matches) admit(match, before);
+    compare(result, due->region);
+    memory_.pending.complete(due->name, due->region);
   }
 }
 
-/// Searches `region` for the objects and compares the instances there with them. False if the
-/// search ended early.
-bool FrameSearch::search_place(const std::vector<std::string>& names, const cv::Rect& region) {
-  search_uncompared(names, region);
-  const SearchResult result = search(region, names);
-  const std::vector<Instance> before = memory_.instances.all();
-  for (const auto& match : result.matches) admit(match, before);
-  compare(result, region);
-  return result.searched.size() == names.size();
-}
-
 /// Log-odds are comparable only within one image, so the instances that a search of `region` for
-/// `names` is compared with are searched for in this image as well.
-void FrameSearch::search_uncompared(const std::vector<std::string>& names, const cv::Rect& region) {
+/// `name` is compared with are searched for in this image as well.
+void FrameSearch::search_uncompared(const std::string& name, const cv::Rect& region) {
   const auto uncompared = memory_.instances.take([&](const Instance& one) {
-    return !one.match.fresh && std::any_of(names.begin(), names.end(), [&](const auto& name) {
-      return one.match.name != name && one.others.count(name) == 0 &&
-             is_within(touching(one.box(), name), region);
-    });
+    return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
+           is_within(touching(one.box(), name), region);
   });
   for (const auto& one : uncompared) find_again(one, uncompared);
 }
@@ -287,19 +272,18 @@ FrameSearch::Urgency FrameSearch::urgency_of(const std::string& name) const {
 /// Compares instances with all objects even while there is motion around them, within
 /// max_search_cost.
 void FrameSearch::compare_with_open_objects() {
-  for (std::size_t i = 0; i < memory_.instances.all().size();) {
-    if (search_.spent() >= config_.max_search_cost) return;
-    const Instance& one = memory_.instances.all()[i];
-    std::vector<std::string> open = one.uncompared(memory_.objects.names());
-    if (open.empty()) {
-      ++i;
-      continue;
+  for (const auto& name : memory_.objects.names())
+    for (std::size_t i = 0; i < memory_.instances.all().size(); ++i) {
+      if (search_.spent() >= config_.max_search_cost) return;
+      const Instance& one = memory_.instances.all()[i];
+      if (one.match.name == name || one.others.count(name) > 0) continue;
+      const cv::Rect region = touching(one.box(), name);
+      search_uncompared(name, region);
+      const SearchResult result = search(region, {name});
+      const std::vector<Instance> before = memory_.instances.all();
+      for (const auto& match : result.matches) admit(match, before);
+      compare(result, region);
     }
-    open.resize(std::min(open.size(), search_.affordable(config_.max_search_cost)));
-    cv::Rect region;
-    for (const auto& name : open) region |= touching(one.box(), name);
-    if (!search_place(open, region)) return;
-  }
 }
 
 /// Instances at rest are searched for a few more times, so that their poses can be averaged.

@@ -45,8 +45,7 @@ class FrameSearch {
   void sweep();
   void sweep_for(const std::string& name);
   void search_pending(Urgency least);
-  bool search_place(const std::vector<std::string>& names, const cv::Rect& region);
-  void search_uncompared(const std::vector<std::string>& names, const cv::Rect& region);
+  void search_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
   void compare_with_open_objects();
   void search_again();

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
@@ -49,24 +48,21 @@ void Instance::inherit_comparisons(const Instance& before) {
     if (best) best->log_odds += gain;
 }
 
-std::vector<std::string> Instance::uncompared(const std::vector<std::string>& names) const {
-  std::vector<std::string> open;
-  std::copy_if(names.begin(), names.end(), std::back_inserter(open),
-               [this](const auto& name) { return name != match.name && others.count(name) == 0; });
-  return open;
-}
-
 Match Instance::judged(const std::vector<std::string>& names, const SearchConfig& config) const {
   Match result = match;
   if (elsewhere) result.competitors.push_back(*elsewhere);
   for (const auto& [name, best] : others)
     if (best) result.competitors.push_back(*best);
-  const std::vector<std::string> open = uncompared(names);
-  if (!open.empty()) result.doubts.push_back({false, "not yet compared with " + open.front()});
+  const auto is_open = [this](const std::string& name) {
+    return name != match.name && others.count(name) == 0;
+  };
+  const auto open = std::find_if(names.begin(), names.end(), is_open);
+  if (open != names.end()) result.doubts.push_back({false, "not yet compared with " + *open});
   if (!compared_elsewhere) result.doubts.push_back({false, "not yet compared with other places"});
   decision::conclude(result, config);
   // The margin to an object that was not searched for is unknown.
-  if (!open.empty() || !compared_elsewhere) result.margin_place = std::min(0., result.margin_place);
+  if (open != names.end() || !compared_elsewhere)
+    result.margin_place = std::min(0., result.margin_place);
   return result;
 }
 

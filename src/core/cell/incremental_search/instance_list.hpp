@@ -34,9 +34,6 @@ struct Instance {
   /// its favour.
   void inherit_comparisons(const Instance& before);
 
-  /// The objects among `names` that it must still be compared with.
-  std::vector<std::string> uncompared(const std::vector<std::string>& names) const;
-
   /// The match with its known competitors. Graspable only if it was compared with all of `names`.
   Match judged(const std::vector<std::string>& names, const SearchConfig& config) const;
 };

@@ -37,23 +37,11 @@ void PendingRegions::forget(const std::string& name) {
                  pending_.end());
 }
 
-std::vector<PendingRegions::Pending> PendingRegions::next(const Urgency& urgency, int least,
-                                                          std::size_t most) const {
-  const auto first = std::min_element(
+std::optional<PendingRegions::Pending> PendingRegions::next(const Urgency& urgency) const {
+  if (pending_.empty()) return std::nullopt;
+  return *std::min_element(
       pending_.begin(), pending_.end(),
       [&](const Pending& a, const Pending& b) { return urgency(a.name) < urgency(b.name); });
-  if (first == pending_.end() || urgency(first->name) > least) return {};
-  std::vector<Pending> found{*first};
-  cv::Rect place = first->region;
-  for (const auto& one : pending_) {
-    if (found.size() >= most) break;
-    const bool known = std::any_of(found.begin(), found.end(),
-                                   [&](const Pending& other) { return other.name == one.name; });
-    if (known || urgency(one.name) > least || !worth_joining(place, one.region)) continue;
-    place |= one.region;
-    found.push_back(one);
-  }
-  return found;
 }
 
 bool PendingRegions::contains(const std::string& name) const {

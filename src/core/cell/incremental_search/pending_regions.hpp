@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,9 @@ class PendingRegions {
   /// Removes all pending regions of the object.
   void forget(const std::string& name);
 
-  /// Pending region of the most urgent object, of equally urgent ones the one that has waited
-  /// longest, and those of other objects at about the same place: at most `most`, and only objects
-  /// of at least the urgency `least`. Each object occurs once.
-  std::vector<Pending> next(const Urgency& urgency, int least, std::size_t most) const;
+  /// Pending region of the most urgent object; of equally urgent ones, the one that has waited
+  /// longest. None if nothing is pending.
+  std::optional<Pending> next(const Urgency& urgency) const;
 
   bool contains(const std::string& name) const;
 

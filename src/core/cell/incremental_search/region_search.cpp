@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/region_search.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "imaging/rectangles.hpp"
@@ -12,8 +11,7 @@ namespace {
 constexpr int kMargin = 12;          // [px] margin around the searched poses
 constexpr int kGrid = 16;            // [px] crops start at multiples, so that pyramids stay aligned
 constexpr double kMostCrop = 0.7;    // largest crop, as a part of the image
-constexpr double kLeastCost = 0.25;  // of the first object, relative to a search of the whole image
-constexpr double kFurtherCost = 0.4;  // of each further object, relative to the first
+constexpr double kLeastCost = 0.25;  // least cost of a search, relative to one of the whole image
 
 void shift(SearchResult& result, cv::Point by) {
   for (auto& match : result.matches) {
@@ -55,15 +53,9 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
   result = matcher_.find(image_(crop), request);
   shift(result, crop.tl());
   const double share = static_cast<double>(crop.area()) / whole().area();
-  const double further = kFurtherCost * static_cast<double>(names.size() - 1);
-  spent_ += (1 + further) * (kLeastCost + (1 - kLeastCost) * share);
+  spent_ += static_cast<double>(names.size()) * (kLeastCost + (1 - kLeastCost) * share);
   budget_exceeded_ |= result.budget_exceeded;
   return result;
-}
-
-std::size_t RegionSearch::affordable(double most) const {
-  const double further = ((most - spent_) / kLeastCost - 1) / kFurtherCost;
-  return 1 + static_cast<std::size_t>(std::max(0., further));
 }
 
 cv::Rect RegionSearch::crop_about(const cv::Rect& region, double radius) const {

@@ -32,10 +32,6 @@ class RegionSearch {
   /// Cost so far; a search of the whole image for one object costs 1.
   double spent() const { return spent_; }
 
-  /// Number of objects that can be searched for together in a small region before the cost exceeds
-  /// `most`; at least 1.
-  std::size_t affordable(double most) const;
-
   /// Whether the time budget ended a search early.
   bool budget_exceeded() const { return budget_exceeded_; }
 
