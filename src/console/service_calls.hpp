@@ -25,7 +25,7 @@ class ServiceCalls {
   void later(std::function<void()> function);
   /// Whether the service answered. False as well once this is being destroyed.
   template <class Service>
-  bool call(const ros::NodeHandle& node, const std::string& name, Service& service);
+  bool call(ros::NodeHandle& node, const std::string& name, Service& service);
   /// Aborts the call that waits for an answer; it fails.
   void give_up();
 
@@ -42,11 +42,10 @@ class ServiceCalls {
 };
 
 template <class Service>
-bool ServiceCalls::call(const ros::NodeHandle& node, const std::string& name, Service& service) {
+bool ServiceCalls::call(ros::NodeHandle& node, const std::string& name, Service& service) {
   // Each call has its own connection, because a call that waits for its answer can only be aborted
   // by shutting down the connection.
-  ros::NodeHandle own(node);
-  auto client = own.serviceClient<Service>(name, true);
+  auto client = node.serviceClient<Service>(name, true);
   return begin(client) && client.isValid() && client.call(service);
 }
 

@@ -4,6 +4,8 @@
 // zoom.
 #pragma once
 
+#include <QColor>
+#include <QImage>
 #include <QPainter>
 #include <QRect>
 #include <QString>
