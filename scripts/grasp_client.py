@@ -117,10 +117,11 @@ class GraspClient:
         return None, reasons + unknown(name, self.library)
 
 
-def describe(found, header, grasp):
+def describe(found, header, grasp, now):
     p, q = found.pose.pose.position, found.pose.pose.orientation
-    lines = ["%s #%d in %s, valid until %.3f" % (found.name, found.instance_id, header.frame_id,
-                                                found.valid_until.to_sec()),
+    lines = ["%s #%d in %s, valid for %.2f s, until %.3f" %
+             (found.name, found.instance_id, header.frame_id, (found.valid_until - now).to_sec(),
+              found.valid_until.to_sec()),
              "position %.5f %.5f %.5f m" % (p.x, p.y, p.z),
              "orientation %.5f %.5f %.5f %.5f" % (q.x, q.y, q.z, q.w)]
     if grasp and found.child_frame_id:  # without tf there is no frame to name
@@ -141,7 +142,7 @@ def main():
     if not found:
         sys.exit("nothing to grasp: " + "; ".join(rest))
     known = client.library.get(found.name)
-    print(describe(found, rest, known and known.has_grasp))
+    print(describe(found, rest, known and known.has_grasp, rospy.Time.now()))
 
 
 if __name__ == "__main__":

@@ -46,6 +46,7 @@ TEST_F(LibraryCommands, TheMapIsExportedAtFullSize) {
 
 TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_TRUE(on_library("list").prints("part"));
+  EXPECT_TRUE(on_library("list").prints("none (auto)")) << "nothing is declared";
   ASSERT_EQ(run_tool(folder_.lesson("twin")).code, 0);
   const auto lines = split(on_library("list", {"--json"}).out, '\n');
   ASSERT_EQ(lines.size(), 2u) << "one object a line";

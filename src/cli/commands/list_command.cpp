@@ -12,6 +12,12 @@
 namespace mbncc::cli {
 namespace {
 
+/// The declared symmetry, otherwise the measured one, which is marked.
+std::string symmetry_of(const ObjectModel& object) {
+  if (object.symmetry) return symmetry_text(object.symmetry);
+  return symmetry_text(object.quality.symmetry) + " (auto)";
+}
+
 void print_table(const LibrarySnapshot& snapshot) {
   std::size_t width = 4;
   for (const auto& object : snapshot.objects) width = std::max(width, object->name.size());
@@ -19,12 +25,12 @@ void print_table(const LibrarySnapshot& snapshot) {
     std::cout << std::left << std::setw(static_cast<int>(width)) << name;
   };
   column("name");
-  std::cout << "  revision  views  enabled  symmetry  verdict   learned\n";
+  std::cout << "  revision  views  enabled  symmetry      verdict   learned\n";
   for (const auto& object : snapshot.objects) {
     column(object->name);
     std::cout << std::right << std::setw(10) << object->revision << std::setw(7)
               << object->views.size() << std::setw(9) << (object->enabled ? "yes" : "no") << "  "
-              << std::left << std::setw(10) << symmetry_text(object->symmetry) << std::setw(10)
+              << std::left << std::setw(14) << symmetry_of(*object) << std::setw(10)
               << to_string(object->quality.verdict) << time_text(object->learned_at) << '\n';
   }
 }

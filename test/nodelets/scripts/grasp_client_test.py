@@ -72,9 +72,9 @@ class GraspClientTest(unittest.TestCase):
     def test_names_the_grasp_frame_if_there_is_one(self):
         header = DetectedObjectArray().header
         sent = confirmed(child_frame_id="object_part_0")
-        self.assertIn("grasp frame object_part_0_grasp", grasp_client.describe(sent, header, grasp=True))
-        self.assertNotIn("grasp frame", grasp_client.describe(sent, header, grasp=False))
-        self.assertNotIn("grasp frame", grasp_client.describe(confirmed(), header, grasp=True))
+        self.assertIn("grasp frame object_part_0_grasp", grasp_client.describe(sent, header, grasp=True, now=NOW))
+        self.assertNotIn("grasp frame", grasp_client.describe(sent, header, grasp=False, now=NOW))
+        self.assertNotIn("grasp frame", grasp_client.describe(confirmed(), header, grasp=True, now=NOW))
 
 
 unittest.main()

@@ -188,8 +188,7 @@ class LessonRun {
     if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
       quality.verdict = Verdict::kMarginal;
     result_.has_model = true;
-    progress_.report(Stage::kQuality, 1,
-                     std::string("Verdict: ") + to_string(quality.verdict) + ".",
+    progress_.report(Stage::kQuality, 1, "Verdict computed.",
                      [&] { return outlined(lesson_.before, segmentation.map); });
     conclude(error_of(quality));
   }
