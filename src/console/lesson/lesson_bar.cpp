@@ -4,7 +4,7 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
-#include "console/lesson/object_name.hpp"
+#include "console/library/object_name.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {

@@ -6,10 +6,10 @@
 #include "console/image/image_view.hpp"
 #include "console/image/scaled_image.hpp"
 #include "console/lesson/lesson_bar.hpp"
-#include "console/lesson/object_name.hpp"
 #include "console/lesson/review_pane.hpp"
 #include "console/library/library_controller.hpp"
 #include "console/library/library_strip.hpp"
+#include "console/library/object_name.hpp"
 
 namespace mbncc::console {
 namespace {

@@ -7,7 +7,7 @@
 
 #include "console/image/images.hpp"
 #include "console/image/scaled_image.hpp"
-#include "console/lesson/object_name.hpp"
+#include "console/library/object_name.hpp"
 #include "console/widgets.hpp"
 
 namespace mbncc::console {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "console/lesson/object_name.hpp"
+#include "console/library/object_name.hpp"
 
 #include <algorithm>
 #include <cstddef>
