@@ -53,6 +53,16 @@ TEST_F(ChangeMapTest, FlickerIsNoChange) {
   }
 }
 
+TEST_F(ChangeMapTest, LightThatGoesOutOrReturnsIsAGlobalChange) {
+  for (int i = 0; i < 10; ++i) show(platform());
+  for (const double light : {0.01, 1.0}) {
+    show(platform() * light);
+    EXPECT_TRUE(map_.has_changed_globally()) << light;
+    for (int i = 0; i < 20; ++i) show(platform() * light);
+    EXPECT_TRUE(is_calm()) << light;
+  }
+}
+
 TEST_F(ChangeMapTest, LightThatDriftsSlowlyIsNoChange) {
   cv::Mat ramp(240, 320, CV_32FC3);
   for (int x = 0; x < 320; ++x) ramp.col(x).setTo(cv::Scalar::all((x - 160) / 160.));

@@ -17,6 +17,7 @@ constexpr double kSureDifference = 16;  // [grey levels] largest threshold for a
 constexpr double kNoiseFactor = 8;      // threshold in median differences of cells
 constexpr float kFollow = 0.05F;        // [grey levels] drift of the reference per image
 constexpr float kDark = 8;              // [grey levels] regularises ratios of dark cells
+constexpr double kLeastGain = 0.5;      // exposure changes by at most this factor or its inverse
 constexpr int kStride = 37;             // stride of the cells used for gain and noise
 // [s] a patch that keeps changing for longer is reported anyway
 constexpr double kLongestChange = 1.5;
@@ -39,7 +40,8 @@ cv::Mat cell_means(const cv::Mat& image) {
   return cells;
 }
 
-/// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits).
+/// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits); 1 if one of them is no
+/// change of exposure, because the light went out or returned, or the lens is covered.
 template <class Base>
 cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
   const int channels = cells.channels(), count = static_cast<int>(cells.total());
@@ -53,6 +55,7 @@ cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
       ratios.push_back(static_cast<float>((now[i * channels + channel] + kDark) /
                                           (then[i * channels + channel] + kDark)));
     gain[channel] = numeric::median(ratios);
+    if (gain[channel] < kLeastGain || gain[channel] > 1 / kLeastGain) return cv::Scalar::all(1);
   }
   return gain;
 }
