@@ -66,6 +66,20 @@ TEST(Quality, ChangeAgreesWithTheTrueMap) {
   EXPECT_GT(quality.change_agreement, 0.7);
 }
 
+// The angle of a round object is arbitrary, and with it the place of a reference point beside it.
+TEST(Quality, TheFrameOfARoundObjectDoesNotMatter) {
+  cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(150));
+  cv::randn(image, cv::Scalar::all(150), cv::Scalar::all(2));
+  const cv::Mat map = disc_map(image.size(), {160, 120}, 30);
+  image.setTo(cv::Scalar(50, 90, 160), map);
+  ObjectModel model = model_of(image, map);
+  model.symmetry = 0;
+  model.views.front().reference.x += 90;
+  const Quality quality = assess_quality(model, image, cv::Mat(), std::nullopt, {}, {});
+  EXPECT_GT(quality.self_score, 0.9);
+  EXPECT_LT(quality.runner_up, 0.5);
+}
+
 TEST(Quality, ADiscFillsItsExcircle) {
   const DrawnLesson drawn = draw_lesson();
   const Quality quality =

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "mbncc/learning/further_view.hpp"
 #include "mbncc/sim/scene.hpp"
 
@@ -48,6 +50,47 @@ TEST(Resemblance, AnotherObjectIsRefusedAsAView) {
   const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
   const ObjectModel stored = learned("part", first, before);
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
+}
+
+/// A ring, at `place` in a larger image.
+ObjectModel ring(const std::string& name, cv::Point place, cv::Mat& image) {
+  image = cv::Mat(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
+  cv::Mat map = cv::Mat::zeros(image.size(), CV_8UC1);
+  cv::circle(map, place, 40, cv::Scalar(255), cv::FILLED);
+  cv::circle(map, place, 33, cv::Scalar(0), cv::FILLED);
+  image.setTo(cv::Scalar(40, 60, 170), map);
+  ObjectModel model;
+  model.name = model.label = name;
+  model.views = {crop_view(image, map, {double(place.x), double(place.y), 0})};
+  return model;
+}
+
+// The outline of a match has no hole.
+TEST(Resemblance, AViewOfARingIsCompared) {
+  cv::Mat before, later;
+  const ObjectModel stored = ring("ring", {100, 100}, before);
+  const View view = ring("ring", {200, 130}, later).views[0];
+  const auto reference = shared_reference(stored, view, later);
+  ASSERT_TRUE(reference);
+  EXPECT_NEAR(reference->x, 200, 1);
+  EXPECT_NEAR(reference->y, 130, 1);
+}
+
+TEST(Resemblance, DoesNotDependOnTheFrameOfAKnownObjectNorOnTheTimeBudget) {
+  const auto first = placed(5, {200, 200, 0}), other = placed(77, {430, 250, 0});
+  const cv::Mat image = scene().render({first, other}, 1);
+  ObjectModel far = learned("part", first, image);
+  move_reference(far, {-300, 900, 1});
+  const std::vector<std::shared_ptr<const ObjectModel>> library = {
+      std::make_shared<const ObjectModel>(learned("other", other, image)),
+      std::make_shared<const ObjectModel>(far)};
+  const auto again = placed(5, {300, 320, 1.3});
+  const cv::Mat later = scene().render({again}, 3);
+  ObjectModel twin = learned("twin", again, later);
+  SearchConfig hurried;
+  hurried.time_budget = 1e-9;
+  note_resemblance(twin, later, library, hurried);
+  EXPECT_EQ(twin.quality.confusable_with, "part");
 }
 
 TEST(Resemblance, TheMostSimilarKnownObjectIsReported) {

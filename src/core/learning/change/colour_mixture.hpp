@@ -10,7 +10,7 @@ namespace mbncc::change {
 class ColourMixture {
  public:
   /// Fits up to five Gaussians to the pixels of `image` (CV_32FC3) on `mask` (CV_8UC1), weighted by
-  /// `weight` (CV_32FC1; empty: all 1); at most about 3000 of them. The start is deterministic: the
+  /// `weight` (CV_32FC1; empty: all 1); at most about 6000 of them. The start is deterministic: the
   /// widest cluster is split along its main axis. With fewer than 20 pixels, the mixture is empty.
   static ColourMixture fit(const cv::Mat& image, const cv::Mat& mask, const cv::Mat& weight = {});
 

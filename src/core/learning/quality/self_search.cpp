@@ -5,6 +5,7 @@
 #include <memory>
 
 #include "imaging/half_size.hpp"
+#include "learning/quality/lesson_search.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::quality {
@@ -20,13 +21,6 @@ SearchRequest anything() {
   request.min_score = 0;
   request.max_instances = 5;
   return request;
-}
-
-// The verdict must not depend on a time budget, nor on other objects: only this one is searched
-// for.
-SearchConfig unhurried(SearchConfig search) {
-  search.time_budget = 0;
-  return search;
 }
 
 // An object's only view and its learning image, reduced to the size that is needed.
@@ -54,10 +48,11 @@ Reduced reduced(const View& view, const cv::Mat& image) {
 
 void search_itself(const ObjectModel& object, const cv::Mat& image, const SearchConfig& search,
                    Quality& quality) {
-  const Reduced small = reduced(object.views.front(), image);
-  auto searched = std::make_shared<ObjectModel>(object);
+  // The verdict must not depend on other objects: only this one is searched for.
+  const auto searched = with_central_reference(object);
+  const Reduced small = reduced(searched->views.front(), image);
   searched->views = {small.view};
-  Matcher matcher(unhurried(search));
+  Matcher matcher(without_time_budget(search));
   matcher.set_objects({searched}, true);
   const SearchResult found = matcher.find(small.image, anything());
   const double near = std::max(kLeastSamePlace, kSamePlace * excircle(small.view.map).radius);

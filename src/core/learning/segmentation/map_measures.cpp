@@ -89,11 +89,19 @@ double map_iou(const cv::Mat& a, const cv::Mat& b) {
 }
 
 double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map) {
-  cv::Mat found = cv::Mat::zeros(map.size(), CV_8UC1);
   const std::vector<cv::Point> corners(outline.begin(), outline.end());
-  if (corners.empty()) return 0;
-  cv::fillPoly(found, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
-  return map_iou(found, map);
+  std::vector<std::vector<cv::Point>> parts;
+  cv::findContours(map, parts, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
+  if (corners.empty() || parts.empty()) return 0;
+  const auto largest = *std::max_element(
+      parts.begin(), parts.end(),
+      [](const auto& a, const auto& b) { return cv::contourArea(a) < cv::contourArea(b); });
+  const auto filled = [&](const std::vector<cv::Point>& contour) {
+    cv::Mat area = cv::Mat::zeros(map.size(), CV_8UC1);
+    cv::fillPoly(area, std::vector<std::vector<cv::Point>>{contour}, cv::Scalar(255));
+    return area;
+  };
+  return map_iou(filled(corners), filled(largest));
 }
 
 double change_agreement(const cv::Mat& changed, const cv::Mat& map) {

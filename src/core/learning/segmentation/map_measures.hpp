@@ -23,7 +23,7 @@ double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
 double map_iou(const cv::Mat& a, const cv::Mat& b);
 
-/// IoU of the map with a filled `outline` [px].
+/// IoU of the filled largest outline of the map with the filled `outline` [px] of a match.
 double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map);
 
 /// IoU of the map with the changed pixels around it (CV_8UC1).

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "learning/teaching/lesson_progress.hpp"
+#include "mbncc/image_limits.hpp"
 #include "mbncc/symmetry.hpp"
 
 namespace mbncc::teaching {
@@ -20,7 +21,7 @@ void check_image(const cv::Mat& image, const std::string& which) {
           "The image " + which + " is not an 8-bit colour image.");
   require(image.rows >= kSmallestImage && image.cols >= kSmallestImage, LearnError::kNoImage,
           "The image " + which + " is only " + size_text(image.size()) + " pixels.");
-  require(image.rows <= kLargestImage && image.cols <= kLargestImage, LearnError::kNoImage,
+  require(ImageLimits::hold(image.size()), LearnError::kNoImage,
           "The image " + which + " is too large: " + size_text(image.size()) + " pixels.");
 }
 

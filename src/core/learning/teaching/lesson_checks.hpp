@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "mbncc/image_limits.hpp"
 #include "mbncc/learning/lesson.hpp"
 
 namespace mbncc::teaching {
@@ -14,8 +15,6 @@ namespace mbncc::teaching {
 /// bounds the time of checking every pair of an outline's edges.
 constexpr std::size_t kMostPoints = 4096;
 
-constexpr int kLargestImage = 1 << 15;  ///< [px] largest side of an image
-
 /// Throws LessonEnded with the code of the first fault: NAME_INVALID, NO_IMAGE, IMAGE_MISMATCH or
 /// REGION_INVALID.
 void check_lesson(const Lesson& lesson);
@@ -23,9 +22,10 @@ void check_lesson(const Lesson& lesson);
 /// Error code of a BAD verdict: the code of its worst reason, kQualityBad if the reason has none.
 LearnError error_of(const Quality& quality);
 
-/// False for values that are not finite or beyond the largest image size.
+/// False for values that are not finite or far beyond the largest image size.
 inline bool is_near_image(const cv::Point2d& point) {
-  return std::abs(point.x) <= kLargestImage && std::abs(point.y) <= kLargestImage;
+  constexpr double kFarthest = 2 * ImageLimits::kMostSide;
+  return std::abs(point.x) <= kFarthest && std::abs(point.y) <= kFarthest;
 }
 
 /// "640 x 480"

@@ -11,6 +11,7 @@
 #include "learning/change/changed_places.hpp"
 #include "learning/change/departures.hpp"
 #include "learning/change/survey_size.hpp"
+#include "learning/quality/lesson_search.hpp"
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/learning/change_cut.hpp"
 #include "mbncc/matching/matcher.hpp"
@@ -79,12 +80,9 @@ cv::Matx23d matrix_of(const Pose2D& motion) {
 class PutAsideSearch {
  public:
   PutAsideSearch(const ObjectModel& object, const cv::Mat& map, const SearchConfig& search)
-      : map_(map), matcher_(unhurried(search)) {
-    // The reference point is the centroid, because the object frame may lie far from the object.
-    auto centred = std::make_shared<ObjectModel>(object);
-    const cv::Point2d centre = centroid(map_);
-    centre_ = {centre.x, centre.y, 0};
-    centred->views.front().reference = centre_;
+      : map_(map), matcher_(quality::without_time_budget(search)) {
+    const auto centred = quality::with_central_reference(object);
+    centre_ = centred->views.front().reference;
     matcher_.set_objects({centred}, true);
   }
 
@@ -105,11 +103,6 @@ class PutAsideSearch {
   }
 
  private:
-  static SearchConfig unhurried(SearchConfig search) {
-    search.time_budget = 0;
-    return search;
-  }
-
   static cv::Mat seen_from_before(const cv::Mat& preference, const cv::Matx23d& motion) {
     cv::Mat warped;
     cv::warpAffine(preference, warped, motion, preference.size(),

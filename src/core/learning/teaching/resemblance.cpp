@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "learning/quality/lesson_search.hpp"
 #include "learning/segmentation/map_measures.hpp"
 #include "mbncc/matching/matcher.hpp"
 
@@ -15,7 +16,7 @@ constexpr double kLeastExtentRatio = 0.8;  // least ratio of the excircles' radi
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
                               const cv::Mat& image, const SearchRequest& request,
                               const SearchConfig& search) {
-  Matcher matcher(search);
+  Matcher matcher(quality::without_time_budget(search));
   matcher.set_objects(std::move(objects));
   return matcher.find(image, request).matches;
 }
@@ -34,11 +35,11 @@ std::vector<std::shared_ptr<const ObjectModel>> rivals_of(
     const ObjectModel& object, const std::vector<std::shared_ptr<const ObjectModel>>& known) {
   const cv::Mat& map = object.views.back().map;
   std::vector<std::shared_ptr<const ObjectModel>> rivals;
-  std::copy_if(known.begin(), known.end(), std::back_inserter(rivals), [&](const auto& other) {
-    return other->enabled && other->name != object.name &&
-           std::any_of(other->views.begin(), other->views.end(),
-                       [&map](const View& view) { return may_agree(view.map, map); });
-  });
+  for (const auto& other : known)
+    if (other->enabled && other->name != object.name &&
+        std::any_of(other->views.begin(), other->views.end(),
+                    [&map](const View& view) { return may_agree(view.map, map); }))
+      rivals.push_back(quality::with_central_reference(*other));
   return rivals;
 }
 
