@@ -44,7 +44,8 @@ void GraspMark::clear() {
 
 bool GraspMark::is_marked_since(const ros::Time& time) const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return T_base_gripper_ && recorded_at_ >= time;
+  // A mark in the future was recorded before the clock jumped back.
+  return T_base_gripper_ && recorded_at_ >= time && recorded_at_ <= ros::Time::now();
 }
 
 std::optional<Grasp> GraspMark::relative_to(const Eigen::Isometry3d& T_base_object) const {

@@ -32,6 +32,7 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
   tf.setTransform(gripper_in_camera(), "test", true);
   GraspMark mark(tf, "gripper");
   EXPECT_FALSE(mark.relative_to(object_in_camera()));
+  ros::Time::setNow(ros::Time(10.1));
   mark.record("camera", ros::Time(10.1));
   EXPECT_TRUE(mark.is_marked_since(ros::Time(10)));
   EXPECT_FALSE(mark.is_marked_since(ros::Time(10.2)));
@@ -43,6 +44,15 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
   EXPECT_NEAR(std::abs(grasp->orientation[3]), 1, 1e-12);
   mark.clear();
   EXPECT_FALSE(mark.relative_to(object_in_camera()));
+}
+
+TEST(GraspMark, IsOfAnotherDemonstrationAfterTheClockJumpedBack) {
+  tf2_ros::Buffer tf;
+  tf.setTransform(gripper_in_camera(), "test", true);
+  GraspMark mark(tf, "gripper");
+  mark.record("camera", ros::Time(10.1));
+  ros::Time::setNow(ros::Time(5));
+  EXPECT_FALSE(mark.is_marked_since(ros::Time(4)));
 }
 
 TEST(GraspMark, RefusesWithAReason) {
