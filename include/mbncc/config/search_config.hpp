@@ -65,7 +65,7 @@ struct SearchConfig {
           self.max_overlap);
     visit(FieldInfo{"scale_range", Allowed::range(0, 0.5), "",
                     "largest relative difference in size that is searched; up to 3 % needs no "
-                    "additional pass, every further 6 % adds one search pass"},
+                    "additional pass, every further 6 % adds two (smaller and larger)"},
           self.scale_range);
     visit(
         FieldInfo{

@@ -8,14 +8,6 @@
 namespace mbncc::cli {
 namespace {
 
-/// Angle [rad] between two angles modulo a symmetry of `symmetry` equal angles per turn; 0: always
-/// 0.
-double angle_error(double a, double b, int symmetry) {
-  if (symmetry == 0) return 0;
-  const double sector = 2 * kPi / symmetry;
-  return std::abs(std::remainder(a - b, sector));
-}
-
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 double share(int part, int whole) {
@@ -33,7 +25,7 @@ Comparison compare(const std::vector<TrueInstance>& truth, const std::vector<Mat
       return cv::norm(one.pose.position() - match.pose.position());
     };
     const auto angle = [&](const TrueInstance& one) {
-      return angle_error(one.pose.theta, match.pose.theta, match.symmetry);
+      return angle_distance(one.pose.theta, match.pose.theta, match.symmetry);
     };
     auto best = open.end();
     for (auto one = open.begin(); one != open.end(); ++one)
