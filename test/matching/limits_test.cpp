@@ -42,6 +42,11 @@ TEST_F(Limits, ObjectsBeyondTheTimeBudgetAreReportedAsSkipped) {
   ASSERT_EQ(result.searched.size(), 1u) << "one is always searched";
   EXPECT_EQ(result.skipped.size(), 2u);
   for (const auto& skipped : result.skipped) EXPECT_NE(skipped.find("time"), std::string::npos);
+  ASSERT_EQ(result.matches.size(), 2u);
+  for (const auto& match : result.matches) {
+    EXPECT_FALSE(match.graspable) << "the others may be there as well";
+    EXPECT_EQ(match.reasons, std::vector<std::string>{"not compared with object1: time budget"});
+  }
 }
 
 TEST_F(Limits, ThresholdsChangeAtOnce) {

@@ -15,12 +15,12 @@
 
 namespace mbncc {
 
-/// A search request. Zero, empty or negative values select the configured ones.
+/// A search request. Its defaults select what is configured.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
   cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole image
-  double min_score = -1;
-  int max_instances = 0;
+  double min_score = -1;           ///< negative: the configured one, or the object's own
+  int max_instances = 0;           ///< 0: the configured one
   /// Total number of objects if this request is part of a larger search whose objects are searched
   /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;

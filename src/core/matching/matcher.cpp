@@ -8,6 +8,7 @@
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
+#include "matching/decision/conclusion.hpp"
 #include "matching/decision/selection.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/proposal/ncc_search.hpp"
@@ -59,6 +60,10 @@ search::SearchMode mode_for(std::size_t objects, const SearchRequest& request,
 struct SearchState {
   explicit SearchState(std::size_t objects) : found(objects), searched(objects, 0) {}
 
+  bool complete() const {
+    return std::all_of(searched.begin(), searched.end(), [](char done) { return done != 0; });
+  }
+
   std::vector<std::vector<decision::Detection>> found;
   std::vector<char> searched;  ///< 0: not searched in time
 };
@@ -104,8 +109,8 @@ void compare_in_place(const std::vector<prepared::Comparison>& comparisons,
     if (!findings.searched[i]) continue;
     auto occupied = occupied_by_others(findings, i);
     occupied.insert(occupied.end(), request.occupied.begin(), request.occupied.end());
-    more[i] = search::search_occupied(*comparisons[i].object, *comparisons[i].scene, request.roi,
-                                      occupied, findings.found[i]);
+    more[i] = search::search_occupied(*comparisons[i].object, *comparisons[i].scene, occupied,
+                                      findings.found[i]);
   }
   for (std::size_t i = 0; i < comparisons.size(); ++i)
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
@@ -130,7 +135,8 @@ struct Matcher::Implementation {
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
 
   /// Searches `image` for `wanted`, and again after removal of a colour cast estimated from the
-  /// detections.
+  /// detections, unless the time budget ends before that search: all detections are of one image,
+  /// so that they can be compared.
   SearchState search(const ObjectList& wanted, const cv::Mat& image, const SearchRequest& request,
                      Clock::time_point start) const;
 
@@ -184,23 +190,29 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
                                             const SearchRequest& request,
                                             Clock::time_point start) const {
   const search::SearchMode mode = mode_for(wanted.size(), request, config);
-  SearchState findings(wanted.size());
+  const auto time_is_up = [&] {
+    return config.time_budget > 0 && seconds_since(start) > config.time_budget;
+  };
   const auto search_all = [&](const std::vector<prepared::Comparison>& compared) {
+    SearchState findings(wanted.size());
     in_parallel(wanted.size(), config.threads, [&](std::size_t i) {
       const bool first = i == 0;  // otherwise a short budget would never find anything
-      if (!first && config.time_budget > 0 && seconds_since(start) > config.time_budget) return;
+      if (!first && time_is_up()) return;
       findings.found[i] =
           search::search_object(*compared[i].object, *compared[i].scene, request.roi, mode);
       findings.searched[i] = 1;
     });
     compare_in_place(compared, request, findings);
+    return findings;
   };
   const auto shown = prepared::comparisons(wanted, image, scenes);
-  search_all(shown);
-  if (mode != search::SearchMode::kColourPrefiltered) return findings;
-  if (const auto cast = search::colour_cast(shown, findings.found))
-    search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), scenes));
-  return findings;
+  SearchState findings = search_all(shown);
+  if (mode != search::SearchMode::kColourPrefiltered || time_is_up()) return findings;
+  const auto cast = search::colour_cast(shown, findings.found);
+  if (!cast) return findings;
+  SearchState balanced =
+      search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), scenes));
+  return balanced.complete() ? balanced : findings;
 }
 
 decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchRequest& request,
@@ -210,7 +222,20 @@ decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchReq
           request.max_instances > 0 ? request.max_instances : config.max_instances,
           request.clutter,
           request.elsewhere,
-          std::max(objects, request.among)};
+          std::max(objects, request.among),
+          request.roi};
+}
+
+/// Without a comparison with the objects that were skipped for lack of time, no match is graspable.
+void doubt_without_comparison(const ObjectList& objects, const SearchState& findings,
+                              const SearchConfig& config, std::vector<Match>& matches) {
+  const auto skipped = std::find(findings.searched.begin(), findings.searched.end(), 0);
+  if (skipped == findings.searched.end()) return;
+  const auto& first = *objects[static_cast<std::size_t>(skipped - findings.searched.begin())];
+  for (auto& match : matches) {
+    match.doubts.push_back({false, "not compared with " + first.model->name + ": time budget"});
+    decision::conclude(match, config);
+  }
 }
 
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
@@ -274,7 +299,7 @@ cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) c
   for (const auto& object : objects)
     for (const auto& view : object->views) {
       const int level = view.template_bank.level;
-      if (level == 0 || level > scene->top_level() || view.template_bank.kernels->empty()) continue;
+      if (!view.template_bank.searched() || level > scene->top_level()) continue;
       const cv::Mat coarse = proposal::coarse_similarity(view.template_bank, scene->grey[level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
@@ -292,6 +317,7 @@ SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) c
   decision::Selection selection = decision::select_matches(
       all_of(findings), implementation_->acceptance(request, objects.size()));
   result.matches = std::move(selection.matches);
+  doubt_without_comparison(objects, findings, implementation_->config, result.matches);
   result.limited = names_at_limit(
       result.matches, implementation_->acceptance(request, objects.size()).max_instances);
   result.rivals = std::move(selection.rivals);

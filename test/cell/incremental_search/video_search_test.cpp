@@ -112,6 +112,39 @@ TEST_F(VideoSearchTest, FindsAnObjectWhoseReferencePointLiesBesideIt) {
   EXPECT_TRUE(found);
 }
 
+// At the other angle, the reference point lies at the bar's other end.
+TEST_F(VideoSearchTest, AnAngleWithADistantReferencePointCompetesInEverySearch) {
+  cv::Mat lesson(kSize, CV_8UC3, cv::Scalar::all(150)), map = cv::Mat::zeros(kSize, CV_8UC1);
+  const cv::Rect bar(60, 100, 160, 24);
+  lesson(bar) = cv::Scalar(50, 90, 160);
+  map(bar) = 255;
+  auto model = std::make_shared<ObjectModel>();
+  model->name = "bar";
+  model->symmetry = 1;
+  model->views = {crop_view(lesson, map, {70, 112, 0})};
+  matcher_.set_objects({model});
+  int reported = 0;
+  for (int i = 0; i < 20; ++i) {
+    cv::Mat noise(kSize, CV_8UC3), image;
+    cv::randn(noise, cv::Scalar::all(10), cv::Scalar::all(2));
+    image = lesson + noise;
+    for (const auto& match : video_.find(matcher_, kFrameTime * i, image).matches) {
+      ++reported;
+      EXPECT_FALSE(match.graspable) << i;
+      EXPECT_TRUE(match.ambiguous) << i;
+    }
+  }
+  EXPECT_GE(reported, 18);
+}
+
+TEST_F(VideoSearchTest, NothingIsReportedInTheDark) {
+  put(0, kLeft);
+  show_many(30);
+  ASSERT_TRUE(of(show(), 0)->graspable);
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(of(show({}, 0.01), 0), nullptr) << i;
+  EXPECT_TRUE(is_at(of(show_many(6), 0), kLeft)) << "light again";
+}
+
 TEST_F(VideoSearchTest, ObjectTakenAwayIsGoneInTheSameImage) {
   put(0, kLeft);
   put(1, kRight);

@@ -248,5 +248,28 @@ TEST_F(MarkedBar, DeclaredNoneKeepsTheAngleStrict) {
   EXPECT_FALSE(matcher_of({model}).find(image).matches.at(0).graspable);
 }
 
+// The region selects what is reported, not what competes.
+TEST_F(MarkedBar, AnAngleWhoseReferencePointLiesOutsideTheRegionCompetes) {
+  cv::Mat plain = painted(bar());
+  auto model = std::make_shared<ObjectModel>();
+  model->name = "plain";
+  model->views = {crop_view(plain, bar(), {25, 60, 0})};
+  model->symmetry = 1;
+  cv::Mat image(240, 240, CV_8UC3, kPlatform);
+  photographed(plain).copyTo(image(cv::Rect(60, 60, 121, 121)));
+  int reported = 0;
+  for (const int end : {85, 155}) {
+    SearchRequest request;
+    request.roi = cv::Rect(end - 10, 110, 20, 20);
+    for (const auto& match : matcher_of({model}).find(image, request).matches) {
+      ++reported;
+      EXPECT_TRUE(request.roi.contains(match.pose.position()));
+      EXPECT_TRUE(match.ambiguous);
+      EXPECT_LT(match.margin_angle, 3);
+    }
+  }
+  EXPECT_EQ(reported, 2) << "each region shows the angle that has its reference point there";
+}
+
 }  // namespace
 }  // namespace mbncc::prepared

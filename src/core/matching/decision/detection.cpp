@@ -11,6 +11,29 @@ bool at_one_place(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
 }
 
+cv::Point2d lever_of(const Detection& detection) {
+  return detection.scale * detection.view->reference_in_anchor.position();
+}
+
+Pose2D object_pose(const Detection& detection) {
+  const cv::Point2d lever = lever_of(detection);
+  return compose(detection.pose, {lever.x, lever.y, detection.view->reference_in_anchor.theta});
+}
+
+std::vector<cv::Point2f> outline_at(const Detection& detection) {
+  const Pose2D pose = object_pose(detection);
+  std::vector<cv::Point2f> outline;
+  for (const auto& point : detection.view->outline)
+    outline.emplace_back(transform(pose, detection.scale * cv::Point2d(point)));
+  return outline;
+}
+
+bool reference_within(const Detection& detection, const cv::Rect& roi) {
+  if (roi.empty()) return true;
+  const Pose2D pose = object_pose(detection);
+  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
+}
+
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   const auto better = [](const Detection& a, const Detection& b) {
     return a.log_odds() > b.log_odds();

@@ -51,12 +51,17 @@ constexpr double kComparable = 8;
 /// Whether two detections are at one place.
 bool at_one_place(const Detection& a, const Detection& b);
 
+/// Reference point [px] relative to the anchor, at the scale of the detection.
+cv::Point2d lever_of(const Detection& detection);
+
+/// Pose of the object frame.
+Pose2D object_pose(const Detection& detection);
+
+/// The view's largest outline at the detection. [px]
+std::vector<cv::Point2f> outline_at(const Detection& detection);
+
 /// Whether the reference point lies in `roi` [px]; true if that is empty.
-inline bool reference_within(const Detection& detection, const cv::Rect& roi) {
-  if (roi.empty()) return true;
-  const Pose2D pose = compose(detection.pose, detection.view->reference_in_anchor);
-  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
-}
+bool reference_within(const Detection& detection, const cv::Rect& roi);
 
 /// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest
 /// log-odds, and the others keep their differences in rotation_odds. Returns best first.

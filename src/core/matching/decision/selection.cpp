@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "matching/decision/clutter.hpp"
 #include "matching/decision/conclusion.hpp"
@@ -23,20 +24,23 @@ double min_score_of(const Detection& detection, const AcceptanceSettings& accept
   return detection.object->min_score.value_or(acceptance.config.min_score);
 }
 
-std::vector<const Detection*> accept(const std::vector<Detection>& detections,
-                                     const AcceptanceSettings& acceptance) {
-  std::vector<const Detection*> accepted;
+/// Appends the detections for which `is_candidate` holds and that overlap no better one, at most
+/// `max_instances` of each object.
+template <class Predicate>
+void accept(const std::vector<Detection>& detections, const AcceptanceSettings& acceptance,
+            int max_instances, const Predicate& is_candidate,
+            std::vector<const Detection*>& accepted) {
   for (const auto& detection : detections) {
+    if (!is_candidate(detection)) continue;
     if (acceptance_score(detection, acceptance.config) < min_score_of(detection, acceptance))
       continue;
-    if (count_of(accepted, detection.object) >= acceptance.max_instances) continue;
+    if (count_of(accepted, detection.object) >= max_instances) continue;
     const bool covered =
         std::any_of(accepted.begin(), accepted.end(), [&](const Detection* better) {
           return overlapping(detection, *better, acceptance.config.max_overlap);
         });
     if (!covered) accepted.push_back(&detection);
   }
-  return accepted;
 }
 
 cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever) {
@@ -52,25 +56,6 @@ void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acc
     detection.odds.calibration =
         calibration(detection, angle_margin(detection, detections, max_overlap),
                     instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
-}
-
-/// Reference point [px] relative to the anchor, at the scale of the detection.
-cv::Point2d lever_of(const Detection& detection) {
-  return detection.scale * detection.view->reference_in_anchor.position();
-}
-
-/// Pose of the object frame.
-Pose2D object_pose(const Detection& detection) {
-  const cv::Point2d lever = lever_of(detection);
-  return compose(detection.pose, {lever.x, lever.y, detection.view->reference_in_anchor.theta});
-}
-
-std::vector<cv::Point2f> outline_at(const Detection& detection) {
-  const Pose2D pose = object_pose(detection);
-  std::vector<cv::Point2f> outline;
-  for (const auto& point : detection.view->outline)
-    outline.emplace_back(transform(pose, detection.scale * cv::Point2d(point)));
-  return outline;
 }
 
 /// `other` as a competitor of `match`, which was made from `detection`, with log-odds comparable to
@@ -112,9 +97,10 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
 }
 
 std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
-                             const std::vector<Detection>& detections) {
+                             const std::vector<Detection>& detections, const cv::Rect& roi) {
   std::vector<Rival> rivals;
   for (const auto& detection : detections) {
+    if (!reference_within(detection, roi)) continue;
     if (std::find(accepted.begin(), accepted.end(), &detection) != accepted.end()) continue;
     rivals.push_back({detection.object->name, object_pose(detection).position(), detection.odds,
                       outline_at(detection)});
@@ -138,10 +124,19 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
       detections.begin(), detections.end(), [&](const Detection& a, const Detection& b) {
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
       });
-  const auto accepted = accept(detections, acceptance);
-  for (const Detection* detection : accepted)
+  const auto is_asked_for = [&](const Detection& one) {
+    return reference_within(one, acceptance.roi);
+  };
+  std::vector<const Detection*> accepted;
+  accept(detections, acceptance, acceptance.max_instances, is_asked_for, accepted);
+  const std::vector<const Detection*> reported = accepted;
+  // Other instances do not compete as places.
+  accept(
+      detections, acceptance, std::numeric_limits<int>::max(),
+      [&](const Detection& one) { return !is_asked_for(one); }, accepted);
+  for (const Detection* detection : reported)
     selection.matches.push_back(to_match(*detection, detections, accepted, acceptance));
-  selection.rivals = rivals_of(accepted, detections);
+  selection.rivals = rivals_of(accepted, detections, acceptance.roi);
   return selection;
 }
 

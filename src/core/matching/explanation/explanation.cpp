@@ -183,11 +183,9 @@ class Explainer {
         odds.clutter = clutter == searched_.usual.clutter.end() ? 0 : clutter->second;
         if (odds.total() <= explanation.odds.total()) continue;
         explanation.odds = odds;
-        explanation.scale = view.scale;
-        explanation.pose = compose(one.pose, view.reference_in_anchor);
-        explanation.outline.clear();
-        for (const auto& point : view.outline)
-          explanation.outline.emplace_back(transform(explanation.pose, cv::Point2d(point)));
+        explanation.scale = view.scale * one.scale;
+        explanation.pose = decision::object_pose(one);
+        explanation.outline = decision::outline_at(one);
       }
     }
     explanation.score = explanation.odds.score();

@@ -10,11 +10,13 @@
 namespace mbncc::search {
 namespace {
 
-/// Possible anchors of a view whose reference point lies in `roi`.
+/// Possible anchors of a view whose reference point lies in `roi`, in any size that a refinement
+/// reaches.
 cv::Rect anchor_region(const cv::Rect& roi, const prepared::PreparedView& view, cv::Size size) {
+  constexpr double kLargest = 1.1;
   const cv::Rect image({0, 0}, size);
   if (roi.empty()) return image;
-  const int lever = static_cast<int>(std::ceil(cv::norm(view.reference_in_anchor.position())));
+  const int lever = cvCeil(kLargest * cv::norm(view.reference_in_anchor.position()));
   return cv::Rect(roi.x - lever, roi.y - lever, roi.width + 2 * lever, roi.height + 2 * lever) &
          image;
 }
@@ -28,19 +30,16 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
     const auto detections = search_view(
         object, view, scene, anchor_region(roi, view, scene.size()), mode,
         prefiltered ? view.colour_prefilter.places(scene.classes()) : proposal::SearchMask{});
-    std::copy_if(detections.begin(), detections.end(), std::back_inserter(found),
-                 [&](const decision::Detection& detection) {
-                   return decision::reference_within(detection, roi);
-                 });
+    found.insert(found.end(), detections.begin(), detections.end());
   }
   return object.views.size() > 1 ? decision::resolve_rotations(std::move(found)) : found;
 }
 
-/// Number of places with a likely detection.
-std::size_t likely_places(const std::vector<decision::Detection>& detections) {
+/// Number of places in `roi` with a likely detection.
+std::size_t likely_places(const std::vector<decision::Detection>& detections, const cv::Rect& roi) {
   std::vector<const decision::Detection*> places;
   for (const auto& one : detections)
-    if (one.log_odds() >= kMinFoundOdds &&
+    if (one.log_odds() >= kMinFoundOdds && decision::reference_within(one, roi) &&
         std::none_of(places.begin(), places.end(), [&](const decision::Detection* other) {
           return decision::at_one_place(one, *other);
         }))
@@ -53,10 +52,11 @@ std::size_t likely_places(const std::vector<decision::Detection>& detections) {
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode) {
+  if (object.views.front().polar) return search_views(object, scene, roi, mode);
   if (is_reduced(mode)) {
     // Its few candidates do not suffice for many instances.
     const auto found = search_views(object, scene, roi, mode);
-    return likely_places(found) < kManyFound
+    return likely_places(found, roi) < kManyFound
                ? found
                : search_object(object, scene, roi, SearchMode::kThorough);
   }
@@ -64,7 +64,7 @@ std::vector<decision::Detection> search_object(const prepared::PreparedObject& o
   // An instance fits one of several views best, so all views are searched thoroughly only if the
   // quick search finds nothing.
   const auto found = search_views(object, scene, roi, SearchMode::kQuick);
-  return likely_places(found) > 0 ? found : search_views(object, scene, roi, mode);
+  return likely_places(found, roi) > 0 ? found : search_views(object, scene, roi, mode);
 }
 
 }  // namespace mbncc::search

@@ -9,8 +9,9 @@
 
 namespace mbncc::search {
 
-/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image). Those
-/// of different views at one place compete with each other.
+/// Detections of `object` that include all whose reference points lie in `roi` [px] (empty: the
+/// whole image); others compete with them. Those of different views at one place compete with each
+/// other.
 std::vector<decision::Detection> search_object(const prepared::PreparedObject& object,
                                                const scene::SceneImage& scene, const cv::Rect& roi,
                                                SearchMode mode);

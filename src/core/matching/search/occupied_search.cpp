@@ -25,7 +25,6 @@ bool is_alike(const prepared::PreparedView& view, const Footprint& other) {
 
 std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
                                                  const scene::SceneImage& scene,
-                                                 const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found) {
   // [radii] A detection farther away does not show that the place was compared: it may be of a
@@ -48,9 +47,7 @@ std::vector<decision::Detection> search_occupied(const prepared::PreparedObject&
     }
     if (view.polar || centres.empty()) continue;
     const auto judged = search_places(object, view, scene, centres);
-    std::copy_if(
-        judged.begin(), judged.end(), std::back_inserter(detections),
-        [&](const decision::Detection& one) { return decision::reference_within(one, roi); });
+    detections.insert(detections.end(), judged.begin(), judged.end());
   }
   return detections;
 }

@@ -12,12 +12,10 @@
 
 namespace mbncc::search {
 
-/// Detections of `object` whose reference points lie in `roi` [px] (empty: the whole image), at the
-/// places in `occupied` of other objects of about its size. Leaves out places in `found`, the
-/// detections of `object` so far.
+/// Detections of `object` at the places in `occupied` of other objects of about its size. Leaves
+/// out places in `found`, the detections of `object` so far.
 std::vector<decision::Detection> search_occupied(const prepared::PreparedObject& object,
                                                  const scene::SceneImage& scene,
-                                                 const cv::Rect& roi,
                                                  const std::vector<Footprint>& occupied,
                                                  const std::vector<decision::Detection>& found);
 

@@ -295,6 +295,7 @@ std::vector<decision::Detection> verify(const prepared::PreparedObject& object,
                                         const prepared::PreparedView& view,
                                         const scene::SceneImage& scene,
                                         const std::vector<PoseHypothesis>& found) {
+  if (found.empty()) return {};  // cv::partition() reads the first of its elements
   std::vector<decision::Detection> detections;
   for (const auto& one : found) {
     detections.push_back(unrefined(object, view, scene, one));
