@@ -174,13 +174,15 @@ class Story {
     matcher_.set_objects(objects);
   }
 
-  /// The whole search finds nothing of that name at the place, or a competitor that is about as
-  /// likely.
+  /// The whole search finds nothing of that name at the place, or a competitor or another angle
+  /// that is about as likely.
   bool is_denied(const Match& match) const {
     for (const auto& other : whole_.matches)
       if (other.name == match.name &&
           cv::norm(other.pose.position() - match.pose.position()) < kNear)
-        return other.ambiguous && other.margin_place < matcher_.config().min_margin_place - kNoise;
+        return other.ambiguous &&
+               (other.margin_place < matcher_.config().min_margin_place - kNoise ||
+                other.margin_angle < matcher_.config().min_margin_angle - kNoise);
     return true;
   }
 
