@@ -7,11 +7,12 @@
 #include <stdexcept>
 
 #include "mbncc/geometry.hpp"
-#include "mbncc/matching/similarity.hpp"
 #include "simd/kernels.hpp"
 
 namespace mbncc {
 namespace {
+
+constexpr double kNoiseVariance = 16;  // [grey^2] see similarity.hpp
 
 cv::Point2d at(cv::Point2d centre, double radius, double angle) {
   return centre + radius * cv::Point2d(std::cos(angle), std::sin(angle));
