@@ -169,6 +169,30 @@ TEST_F(DecisionTest, TheBestOfSeveralCompetitorsCounts) {
     EXPECT_NEAR(select(angles).matches.at(0).margin_angle, 8, 1e-9);
 }
 
+// Of what lies outside the region, another instance does not compete, another object does.
+TEST_F(DecisionTest, WhatLiesOutsideTheRegionIsNotReported) {
+  const auto at = [&](double x, const prepared::PreparedObject* object) {
+    return changed([&](decision::Detection& d) {
+      d.pose.x += x;
+      if (object) {
+        d.object = object->model.get();
+        d.view = &object->views.front();
+      }
+    });
+  };
+  const Pose2D here = decision::object_pose(sound());
+  decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {}, 0};
+  acceptance.roi = cv::Rect(cvRound(here.x) - 5, cvRound(here.y) - 5, 11, 11);
+  const auto alone = decision::select_matches({sound(), at(300, nullptr)}, acceptance);
+  ASSERT_EQ(alone.matches.size(), 1u);
+  EXPECT_TRUE(alone.matches[0].graspable);
+  ASSERT_EQ(alone.rivals.size(), 1u);
+  EXPECT_FALSE(alone.rivals[0].in_roi);
+  const auto confused = decision::select_matches({sound(), at(8, &other_)}, acceptance);
+  ASSERT_EQ(confused.matches.size(), 1u);
+  EXPECT_TRUE(confused.matches[0].ambiguous);
+}
+
 TEST_F(DecisionTest, AMuchBetterInstanceOutsideTheRegionPreventsAGrasp) {
   const decision::Detection likely =
       changed([](decision::Detection& d) { d.odds.best_at_place = 6; });

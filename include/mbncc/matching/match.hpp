@@ -39,8 +39,8 @@ struct Match {
   double score = 0;        ///< [0..1] acceptance score
   LogOdds odds;            ///< that the object lies at the pose
   double similarity = 0;   ///< [-1..1] normalized cross correlation weighted by the map
-  /// The best place of the same object that is not a reported instance, and the best other object
-  /// at this place.
+  /// The best place of the same object that is no other instance, and the best other object at this
+  /// place.
   std::vector<Competitor> competitors;
   /// Log-odds of this match minus those of its best competitor; 20: none was found.
   double margin_place = 0;
@@ -63,12 +63,14 @@ struct Match {
   double log_odds() const { return odds.total(); }
 };
 
-/// A candidate that was considered but not reported.
+/// A candidate that was considered but not reported, because it is weak, overlaps a better one, or
+/// lies outside SearchRequest::roi.
 struct Rival {
   std::string name;
   cv::Point2d position;  ///< [px] of its reference point
   LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px] see Match::outline
+  bool in_roi = true;                ///< its reference point lies in SearchRequest::roi
 
   /// Without calibration.
   double log_odds() const { return odds.uncalibrated(); }

@@ -135,8 +135,8 @@ struct Matcher::Implementation {
   ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
 
   /// Searches `image` for `wanted`, and again after removal of a colour cast estimated from the
-  /// detections, unless the time budget ends before that search: all detections are of one image,
-  /// so that they can be compared.
+  /// detections, unless the time budget ends that search: all detections are of one image, so that
+  /// they can be compared.
   SearchState search(const ObjectList& wanted, const cv::Mat& image, const SearchRequest& request,
                      Clock::time_point start) const;
 

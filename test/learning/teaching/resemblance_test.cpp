@@ -52,12 +52,12 @@ TEST(Resemblance, AnotherObjectIsRefusedAsAView) {
   EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
 }
 
-/// A ring, at `place` in a larger image.
-ObjectModel ring(const std::string& name, cv::Point place, cv::Mat& image) {
+/// A ring with a hole of radius `hole` [px], at `place` in a larger image.
+ObjectModel ring(const std::string& name, cv::Point place, cv::Mat& image, int hole = 33) {
   image = cv::Mat(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
   cv::Mat map = cv::Mat::zeros(image.size(), CV_8UC1);
   cv::circle(map, place, 40, cv::Scalar(255), cv::FILLED);
-  cv::circle(map, place, 33, cv::Scalar(0), cv::FILLED);
+  if (hole > 0) cv::circle(map, place, hole, cv::Scalar(0), cv::FILLED);
   image.setTo(cv::Scalar(40, 60, 170), map);
   ObjectModel model;
   model.name = model.label = name;
@@ -65,8 +65,8 @@ ObjectModel ring(const std::string& name, cv::Point place, cv::Mat& image) {
   return model;
 }
 
-// The outline of a match has no hole.
-TEST(Resemblance, AViewOfARingIsCompared) {
+// Its outline alone has no hole.
+TEST(Resemblance, AViewOfARingIsComparedWithItsHole) {
   cv::Mat before, later;
   const ObjectModel stored = ring("ring", {100, 100}, before);
   const View view = ring("ring", {200, 130}, later).views[0];
@@ -74,6 +74,7 @@ TEST(Resemblance, AViewOfARingIsCompared) {
   ASSERT_TRUE(reference);
   EXPECT_NEAR(reference->x, 200, 1);
   EXPECT_NEAR(reference->y, 130, 1);
+  EXPECT_FALSE(shared_reference(ring("disc", {100, 100}, before, 0), view, later));
 }
 
 TEST(Resemblance, DoesNotDependOnTheFrameOfAKnownObjectNorOnTheTimeBudget) {

@@ -32,6 +32,7 @@ TEST(GraspMark, IsTheGrippersPoseInTheObjectsFrame) {
   tf.setTransform(gripper_in_camera(), "test", true);
   GraspMark mark(tf, "gripper");
   EXPECT_FALSE(mark.relative_to(object_in_camera()));
+  ros::Time::init();
   ros::Time::setNow(ros::Time(10.1));
   mark.record("camera", ros::Time(10.1));
   EXPECT_TRUE(mark.is_marked_since(ros::Time(10)));
@@ -51,6 +52,7 @@ TEST(GraspMark, IsOfAnotherDemonstrationAfterTheClockJumpedBack) {
   tf.setTransform(gripper_in_camera(), "test", true);
   GraspMark mark(tf, "gripper");
   mark.record("camera", ros::Time(10.1));
+  ros::Time::init();
   ros::Time::setNow(ros::Time(5));
   EXPECT_FALSE(mark.is_marked_since(ros::Time(4)));
 }

@@ -40,8 +40,7 @@ cv::Mat cell_means(const cv::Mat& image) {
   return cells;
 }
 
-/// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits); 1 if one of them is no
-/// change of exposure, because the light went out or returned, or the lens is covered.
+/// Median ratio per channel of `cells` (8 bits) to `base` (float or 8 bits).
 template <class Base>
 cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
   const int channels = cells.channels(), count = static_cast<int>(cells.total());
@@ -55,9 +54,14 @@ cv::Scalar median_gain(const cv::Mat& cells, const cv::Mat& base) {
       ratios.push_back(static_cast<float>((now[i * channels + channel] + kDark) /
                                           (then[i * channels + channel] + kDark)));
     gain[channel] = numeric::median(ratios);
-    if (gain[channel] < kLeastGain || gain[channel] > 1 / kLeastGain) return cv::Scalar::all(1);
   }
   return gain;
+}
+
+/// False if the light went out or returned, or the lens is covered.
+bool is_exposure(const cv::Scalar& gain, int channels) {
+  return std::all_of(gain.val, gain.val + channels,
+                     [](double one) { return one >= kLeastGain && one <= 1 / kLeastGain; });
 }
 
 /// The channels' gains repeated, so that a loop over all values needs no modulo.
@@ -189,6 +193,12 @@ bool ChangeMap::touches(const cv::Rect& region) const {
 
 void ChangeMap::compare(double stamp, const cv::Mat& cells) {
   gain_ = median_gain<float>(cells, references_);
+  if (!is_exposure(gain_, cells.channels())) {
+    gain_ = cv::Scalar::all(1);
+    changed_.setTo(255);
+    changed_globally_ = true;
+    return settle(stamp, cells);
+  }
   const cv::Mat differs =
       differing<float>(cells, references_, gain_, threshold_of<float>(cells, references_, gain_));
   follow(cells, differs, gain_, references_);

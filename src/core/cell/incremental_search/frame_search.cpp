@@ -95,8 +95,8 @@ std::vector<Footprint> FrameSearch::others(const std::vector<std::string>& names
   return footprints;
 }
 
-/// Per name, the best log-odds of the known instances outside `region`, which a search of it cannot
-/// find.
+/// Per name, the best log-odds of the known instances outside `region`, which a search of it need
+/// not find.
 std::map<std::string, double> FrameSearch::best_outside(
     const cv::Rect& region, const std::vector<std::string>& names) const {
   std::map<std::string, double> best;
@@ -296,7 +296,8 @@ void FrameSearch::search_again() {
   if (least == instances.end() || least->searches >= kMostSearches) return;
   const std::vector<Instance> before{*least};
   instances.erase(least);
-  find_again(before.front(), before);
+  if (!find_again(before.front(), before))
+    memory_.objects.at(before.front().match.name).urgent = true;
 }
 
 /// Adds a match to the known instances; null if a better one is there. `before` may contain the

@@ -67,7 +67,7 @@ Match Instance::judged(const std::vector<std::string>& names, const SearchConfig
 }
 
 Rival rival_of(const Match& match) {
-  return {match.name, match.pose.position(), match.odds, match.outline};
+  return {match.name, match.pose.position(), match.odds, match.outline, true};
 }
 
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
@@ -122,7 +122,7 @@ Instance* InstanceList::admit(Instance found, double reach) {
 void InstanceList::compare(Instance& instance, const Rival& rival) const {
   const bool same = instance.match.name == rival.name;
   const bool here = outline_overlap(instance.match.outline, rival.outline) > max_overlap_;
-  if (same ? here || is_explained(rival) : !here) return;
+  if (same ? here || !rival.in_roi || is_explained(rival) : !here) return;
   std::optional<Competitor>* best = &instance.elsewhere;
   if (!same) {
     const auto compared = instance.others.find(rival.name);

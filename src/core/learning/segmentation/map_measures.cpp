@@ -2,6 +2,7 @@
 #include "learning/segmentation/map_measures.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/rectangles.hpp"
@@ -88,20 +89,18 @@ double map_iou(const cv::Mat& a, const cv::Mat& b) {
   return either == 0 ? 0 : cv::countNonZero(a & b) / static_cast<double>(either);
 }
 
-double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map) {
-  const std::vector<cv::Point> corners(outline.begin(), outline.end());
-  std::vector<std::vector<cv::Point>> parts;
-  cv::findContours(map, parts, cv::RETR_EXTERNAL, cv::CHAIN_APPROX_NONE);
-  if (corners.empty() || parts.empty()) return 0;
-  const auto largest = *std::max_element(
-      parts.begin(), parts.end(),
-      [](const auto& a, const auto& b) { return cv::contourArea(a) < cv::contourArea(b); });
-  const auto filled = [&](const std::vector<cv::Point>& contour) {
-    cv::Mat area = cv::Mat::zeros(map.size(), CV_8UC1);
-    cv::fillPoly(area, std::vector<std::vector<cv::Point>>{contour}, cv::Scalar(255));
-    return area;
-  };
-  return map_iou(filled(corners), filled(largest));
+double agreement_at(const ObjectModel& object, const Pose2D& found, const cv::Mat& map) {
+  double best = 0;
+  for (const View& view : object.views) {
+    const Pose2D motion = compose(found, inverse(view.reference));
+    const cv::Point2d corner = transform(motion, cv::Point2d(view.origin));
+    const double c = std::cos(motion.theta), s = std::sin(motion.theta);
+    cv::Mat moved;
+    cv::warpAffine(view.map, moved, cv::Matx23d(c, -s, corner.x, s, c, corner.y), map.size(),
+                   cv::INTER_NEAREST);
+    best = std::max(best, map_iou(moved, map));
+  }
+  return best;
 }
 
 double change_agreement(const cv::Mat& changed, const cv::Mat& map) {

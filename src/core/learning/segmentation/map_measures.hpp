@@ -23,8 +23,9 @@ double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
 double map_iou(const cv::Mat& a, const cv::Mat& b);
 
-/// IoU of the filled largest outline of the map with the filled `outline` [px] of a match.
-double outline_iou(const std::vector<cv::Point2f>& outline, const cv::Mat& map);
+/// Largest IoU of the map with a map of `object`, moved to the pose `found` [px] of the object
+/// frame.
+double agreement_at(const ObjectModel& object, const Pose2D& found, const cv::Mat& map);
 
 /// IoU of the map with the changed pixels around it (CV_8UC1).
 double change_agreement(const cv::Mat& changed, const cv::Mat& map);

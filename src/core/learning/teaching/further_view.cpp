@@ -11,7 +11,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastAgreement = 0.5;  // least IoU of a found outline and the new map
+constexpr double kLeastAgreement = 0.5;  // least IoU of the found map and the new one
 constexpr double kLeastScore = 0.05;  // least score of a match; the agreement with the map decides
 constexpr int kPlacesTried = 5;
 
@@ -49,7 +49,7 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
   Matcher matcher(search);
   matcher.set_objects({searched});
   for (const auto& match : matcher.find(image, request).matches) {
-    const double agreed = segmentation::outline_iou(match.outline, map);
+    const double agreed = segmentation::agreement_at(*searched, match.pose, map);
     if (agreed < best) continue;
     best = agreed;
     reference = match.pose;

@@ -10,7 +10,7 @@
 namespace mbncc {
 namespace {
 
-constexpr double kLeastAgreement = 0.5;    // least IoU of a found outline and the new map
+constexpr double kLeastAgreement = 0.5;    // least IoU of a found map and the new one
 constexpr double kLeastExtentRatio = 0.8;  // least ratio of the excircles' radii
 
 std::vector<Match> matches_of(std::vector<std::shared_ptr<const ObjectModel>> objects,
@@ -65,8 +65,10 @@ void note_resemblance(ObjectModel& object, const cv::Mat& image,
   request.roi = cv::Rect(view.origin, view.map.size());
   Quality& quality = object.quality;
   for (const auto& match : matches_of(rivals, image, request, search)) {
+    const auto rival = std::find_if(rivals.begin(), rivals.end(),
+                                    [&](const auto& other) { return other->name == match.name; });
     if (match.score <= quality.confusable_score ||
-        segmentation::outline_iou(match.outline, map) < kLeastAgreement)
+        segmentation::agreement_at(**rival, match.pose, map) < kLeastAgreement)
       continue;
     quality.confusable_with = match.name;
     quality.confusable_score = match.score;

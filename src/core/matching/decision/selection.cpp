@@ -96,14 +96,13 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   return match;
 }
 
-std::vector<Rival> rivals_of(const std::vector<const Detection*>& accepted,
+std::vector<Rival> rivals_of(const std::vector<const Detection*>& reported,
                              const std::vector<Detection>& detections, const cv::Rect& roi) {
   std::vector<Rival> rivals;
   for (const auto& detection : detections) {
-    if (!reference_within(detection, roi)) continue;
-    if (std::find(accepted.begin(), accepted.end(), &detection) != accepted.end()) continue;
+    if (std::find(reported.begin(), reported.end(), &detection) != reported.end()) continue;
     rivals.push_back({detection.object->name, object_pose(detection).position(), detection.odds,
-                      outline_at(detection)});
+                      outline_at(detection), reference_within(detection, roi)});
   }
   return rivals;
 }
@@ -130,13 +129,17 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   std::vector<const Detection*> accepted;
   accept(detections, acceptance, acceptance.max_instances, is_asked_for, accepted);
   const std::vector<const Detection*> reported = accepted;
-  // Other instances do not compete as places.
-  accept(
-      detections, acceptance, std::numeric_limits<int>::max(),
-      [&](const Detection& one) { return !is_asked_for(one); }, accepted);
+  // Other instances do not compete as places. An alternative to what is asked for is none.
+  const auto is_other_instance = [&](const Detection& one) {
+    return !is_asked_for(one) &&
+           std::none_of(detections.begin(), detections.end(), [&](const Detection& other) {
+             return is_asked_for(other) && overlapping(one, other, acceptance.config.max_overlap);
+           });
+  };
+  accept(detections, acceptance, std::numeric_limits<int>::max(), is_other_instance, accepted);
   for (const Detection* detection : reported)
     selection.matches.push_back(to_match(*detection, detections, accepted, acceptance));
-  selection.rivals = rivals_of(accepted, detections, acceptance.roi);
+  selection.rivals = rivals_of(reported, detections, acceptance.roi);
   return selection;
 }
 

@@ -20,7 +20,8 @@ struct AcceptanceSettings {
   int max_instances;                ///< per name
   std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
   std::size_t objects = 1;                           ///< number of objects searched in the image
-  /// [px] Only instances whose reference points lie in it are reported; others compete. Empty: all.
+  /// [px] Only instances whose reference points lie in it are reported; other angles and objects
+  /// outside compete with them. Empty: all.
   cv::Rect roi = {};
 };
 
