@@ -34,6 +34,30 @@ TEST_F(VideoSearchTest, OneOfTwoThatLookAlikeIsNeverGraspable) {
   EXPECT_TRUE(found);
 }
 
+TEST_F(VideoSearchTest, ALookAlikeWhoseReferencePointLiesOutsideTheRegionCompetes) {
+  const auto one = learned(drawing(0), "one");
+  const auto other = std::make_shared<ObjectModel>(*learned(drawing(0), "other"));
+  const Pose2D& reference = other->views.front().reference;
+  move_reference(*other, compose(reference, {80, 0, 0}));
+  put(0, kLeft);
+  SearchRequest request;
+  request.roi = cv::Rect(cvRound(kLeft.x) - 20, cvRound(kLeft.y) - 20, 41, 41);
+  const auto is_graspable_with = [&](std::vector<std::shared_ptr<const ObjectModel>> objects) {
+    matcher_.set_objects(std::move(objects));
+    video_.reset();
+    bool graspable = false;
+    for (int i = 0; i < 20; ++i) {
+      const cv::Mat image = scene_.render(placed_, frames_, {});
+      const auto result = video_.find(matcher_, kFrameTime * frames_++, image, request);
+      EXPECT_EQ(result.matches.size(), 1u) << i;
+      for (const auto& match : result.matches) graspable |= match.graspable;
+    }
+    return graspable;
+  };
+  EXPECT_TRUE(is_graspable_with({one}));
+  EXPECT_FALSE(is_graspable_with({one, other}));
+}
+
 TEST_F(VideoSearchTest, AfterALookAlikeIsForgottenTheOtherIsGraspable) {
   const std::vector<std::shared_ptr<const ObjectModel>> both{learned(drawing(0), "one"),
                                                              learned(drawing(0), "other")};
