@@ -20,11 +20,6 @@ constexpr int kClearance = 12;       // [px] between both places, and to the edg
 constexpr double kNearEnough = 3;    // [px]
 constexpr double kTurnedEnough = 3;  // [degrees]
 
-cv::Matx23d matrix_of(const Pose2D& motion) {
-  const double c = std::cos(motion.theta), s = std::sin(motion.theta);
-  return {c, -s, motion.x, s, c, motion.y};
-}
-
 // A motion that moves the object to a free place in the image.
 std::optional<Pose2D> free_motion(const CaseFolder& one, cv::RNG& random) {
   const cv::Size size = one.map.size();

@@ -58,6 +58,9 @@ class Transform {
   double cos_, sin_, x_, y_;
 };
 
+/// transform() as a matrix, for cv::warpAffine().
+cv::Matx23d matrix_of(const Pose2D& pose);
+
 /// Pose of the inner frame in the parent of the outer one: transform(compose(a, b), p) =
 /// transform(a, transform(b, p)).
 Pose2D compose(const Pose2D& outer, const Pose2D& inner);

@@ -57,6 +57,11 @@ cv::Point2d transform(const Pose2D& pose, cv::Point2d point) {
 Transform::Transform(const Pose2D& pose)
     : cos_(std::cos(pose.theta)), sin_(std::sin(pose.theta)), x_(pose.x), y_(pose.y) {}
 
+cv::Matx23d matrix_of(const Pose2D& pose) {
+  const double c = std::cos(pose.theta), s = std::sin(pose.theta);
+  return {c, -s, pose.x, s, c, pose.y};
+}
+
 Pose2D compose(const Pose2D& outer, const Pose2D& inner) {
   const cv::Point2d position = transform(outer, inner.position());
   return {position.x, position.y, wrap_angle(outer.theta + inner.theta)};

@@ -2,7 +2,6 @@
 #include "learning/segmentation/map_measures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/rectangles.hpp"
@@ -94,9 +93,8 @@ double agreement_at(const ObjectModel& object, const Pose2D& found, const cv::Ma
   for (const View& view : object.views) {
     const Pose2D motion = compose(found, inverse(view.reference));
     const cv::Point2d corner = transform(motion, cv::Point2d(view.origin));
-    const double c = std::cos(motion.theta), s = std::sin(motion.theta);
     cv::Mat moved;
-    cv::warpAffine(view.map, moved, cv::Matx23d(c, -s, corner.x, s, c, corner.y), map.size(),
+    cv::warpAffine(view.map, moved, matrix_of({corner.x, corner.y, motion.theta}), map.size(),
                    cv::INTER_NEAREST);
     best = std::max(best, map_iou(moved, map));
   }

@@ -72,11 +72,6 @@ std::vector<Place> places_to_try(const cv::Mat& changed, const SegmentationTask&
   return places;
 }
 
-cv::Matx23d matrix_of(const Pose2D& motion) {
-  const double c = std::cos(motion.theta), s = std::sin(motion.theta);
-  return {c, -s, motion.x, s, c, motion.y};
-}
-
 class PutAsideSearch {
  public:
   PutAsideSearch(const ObjectModel& object, const cv::Mat& map, const SearchConfig& search)

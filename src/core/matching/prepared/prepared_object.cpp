@@ -109,11 +109,9 @@ std::vector<double> scales_within(double range) {
 bool same_outline(const View& a, const View& b) {
   constexpr double kSame = 0.8;  // intersection over union
   const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
-  const double c = std::cos(a_in_b.theta), s = std::sin(a_in_b.theta);
   const cv::Point2d corner = transform(a_in_b, cv::Point2d(a.origin)) - cv::Point2d(b.origin);
-  const cv::Matx23d motion(c, -s, corner.x, s, c, corner.y);
   cv::Mat moved;
-  cv::warpAffine(a.map, moved, motion, b.map.size());
+  cv::warpAffine(a.map, moved, matrix_of({corner.x, corner.y, a_in_b.theta}), b.map.size());
   moved = moved > 127;
   const double common = cv::countNonZero(moved & b.map);
   return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
