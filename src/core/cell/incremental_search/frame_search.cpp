@@ -296,8 +296,7 @@ void FrameSearch::search_again() {
   if (least == instances.end() || least->searches >= kMostSearches) return;
   const std::vector<Instance> before{*least};
   instances.erase(least);
-  if (!find_again(before.front(), before))
-    memory_.objects.at(before.front().match.name).urgent = true;
+  find_again(before.front(), before);
 }
 
 /// Adds a match to the known instances; null if a better one is there. `before` may contain the
