@@ -67,7 +67,7 @@ Match Instance::judged(const std::vector<std::string>& names, const SearchConfig
 }
 
 Rival rival_of(const Match& match) {
-  return {match.name, match.pose.position(), match.odds, match.outline, true};
+  return {match.name, match.pose.position(), match.odds, match.outline};
 }
 
 double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
