@@ -74,7 +74,7 @@ class SurveyLimits : public testing::Test {
     return survey;
   }
 
-  const LearningConfig config_;
+  const LearningConfig config_{};
 };
 
 TEST_F(SurveyLimits, EachFigureHasItsLimit) {

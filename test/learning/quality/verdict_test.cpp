@@ -45,8 +45,8 @@ class VerdictTest : public testing::Test {
     return evidence;
   }
 
-  const LearningConfig learning_;
-  const SearchConfig search_;
+  const LearningConfig learning_{};
+  const SearchConfig search_{};
 };
 
 TEST_F(VerdictTest, AMapWithoutDoubtsIsGood) {
