@@ -33,7 +33,8 @@ struct TrackedMatch {
   /// The confirmed instance of its name that the tf frame object_<name> follows: the same one until
   /// it is no longer confirmed, then the one with the best score.
   bool is_best = false;
-  double valid_until = 0;            ///< [s] stamp of the image it was detected in plus max_age
+  double seen_at = 0;                ///< [s] stamp of the image it was detected in
+  double valid_until = 0;            ///< [s] seen_at plus max_age
   std::vector<std::string> reasons;  ///< why it is not confirmed; empty when it is
 };
 
@@ -67,7 +68,6 @@ class InstanceTracker {
  private:
   struct Track {
     TrackedMatch last;
-    double seen_at = 0;          // [s]
     cv::Point2d velocity;        // [px/s] between the last two detections
     std::deque<bool> graspable;  // of the last images, newest last
     int missed = 0;              // images in a row

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/matching/detection_pipeline.hpp"
 
+#include <tf2_eigen/tf2_eigen.h>
 #include <tf2_geometry_msgs/tf2_geometry_msgs.h>
 
 #include <algorithm>
@@ -64,6 +65,25 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
                               "; there may be more instances, raise max_instances"
                         : advice_on_distortion(calibration);
   }
+}
+
+void transform_poses(DetectedObject& object, const geometry_msgs::TransformStamped& transform) {
+  geometry_msgs::PoseWithCovarianceStamped pose;
+  geometry_msgs::PoseStamped grasp;
+  pose.pose = object.pose;
+  grasp.pose = object.grasp;
+  tf2::doTransform(pose, pose, transform);
+  if (object.has_grasp) tf2::doTransform(grasp, grasp, transform);
+  object.pose = pose.pose;
+  object.grasp = grasp.pose;
+}
+
+/// Transforms the poses from the camera's frame as it was `then` to that of `now`, which differs if
+/// the camera is on the robot.
+void follow_camera(DetectedObject& object, const Calibration& then, const Calibration& now) {
+  if (then.T_camera_platform && now.T_camera_platform)
+    transform_poses(
+        object, tf2::eigenToTransform(*now.T_camera_platform * then.T_camera_platform->inverse()));
 }
 
 /// Rotates the object's frame by half a turn about its x axis.
@@ -141,12 +161,28 @@ Detections DetectionPipeline::describe(const ReceivedImage& received,
   array.searched = result.searched;
   array.skipped = result.skipped;
   array.search_time = static_cast<float>(result.search_time);
-  for (const auto& match : tracked.matches)
-    array.objects.push_back(
-        describe(match, detections.library->find(match.match.name).get(), calibration));
+  for (const auto& match : tracked.matches) {
+    const auto model = detections.library->find(match.match.name);
+    array.objects.push_back(match.state == TrackState::kHeld
+                                ? describe_held(match, model.get(), received, calibration)
+                                : describe(match, model.get(), calibration));
+  }
   const std::string target_fault = to_target_frame(array);
   set_status(array, *detections.library, calibration, result, target_fault);
   return detections;
+}
+
+DetectedObject DetectionPipeline::describe_held(const TrackedMatch& tracked,
+                                                const ObjectModel* model,
+                                                const ReceivedImage& received,
+                                                const Calibration& now) const {
+  std_msgs::Header header = received.header;
+  header.stamp.fromSec(tracked.seen_at);
+  const Calibration then =
+      calibrate(config_.platform, received.camera_info.get(), header, received.image.size(), tf_);
+  DetectedObject object = describe(tracked, model, now.platform ? then : now);
+  if (object.pose_valid) follow_camera(object, then, now);
+  return object;
 }
 
 DetectedObject DetectionPipeline::describe(const TrackedMatch& tracked, const ObjectModel* model,
@@ -185,17 +221,8 @@ std::string DetectionPipeline::to_target_frame(DetectedObjectArray& array) const
   try {
     const auto transform =
         tf_.lookupTransform(config_.target_frame, array.header.frame_id, array.header.stamp);
-    for (auto& object : array.objects) {
-      if (!object.pose_valid) continue;
-      geometry_msgs::PoseWithCovarianceStamped pose;
-      geometry_msgs::PoseStamped grasp;
-      pose.pose = object.pose;
-      grasp.pose = object.grasp;
-      tf2::doTransform(pose, pose, transform);
-      if (object.has_grasp) tf2::doTransform(grasp, grasp, transform);
-      object.pose = pose.pose;
-      object.grasp = grasp.pose;
-    }
+    for (auto& object : array.objects)
+      if (object.pose_valid) transform_poses(object, transform);
     array.header.frame_id = config_.target_frame;
     return "";
   } catch (const tf2::TransformException& error) {

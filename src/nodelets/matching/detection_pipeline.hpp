@@ -83,6 +83,11 @@ class DetectionPipeline : public ImageSearch {
  private:
   mbncc_vision::DetectedObject describe(const TrackedMatch& tracked, const ObjectModel* model,
                                         const Calibration& calibration) const;
+  /// Describes an instance that is not in this image but was in an earlier one. Its pose is invalid
+  /// if tf no longer knows where the platform was then.
+  mbncc_vision::DetectedObject describe_held(const TrackedMatch& tracked, const ObjectModel* model,
+                                             const ReceivedImage& received,
+                                             const Calibration& now) const;
   void wait_for_tf(const std_msgs::Header& header) const;
   /// Converts the poses to target_frame. Returns the fault; "" if there is none.
   std::string to_target_frame(mbncc_vision::DetectedObjectArray& array) const;

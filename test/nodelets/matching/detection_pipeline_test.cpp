@@ -163,6 +163,37 @@ TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtTheImagesStamp) {
   EXPECT_EQ(array.objects[0].child_frame_id, "object_angle_0");
 }
 
+TEST_F(DetectionPipelineTest, AHeldPoseStaysWhereItWasWhenTheCameraMoves) {
+  config_.platform.platform_frame = "platform";
+  config_.target_frame = "platform";
+  config_.hold_time = 30;
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "camera";
+  transform.child_frame_id = "platform";
+  transform.transform.translation.z = 0.5;
+  transform.transform.rotation.w = 1;
+  const auto move_to = [&](double x, int number) {
+    transform.transform.translation.x = x;
+    transform.header.stamp = received(number).header.stamp;
+    tf_.setTransform(transform, "test");
+  };
+  move_to(0, 0);
+  move_to(0.1, 2);
+  const LiveMatcher matcher({}, folder_.path());
+  DetectionPipeline pipeline(config_, matcher, tf_);
+  const DetectedObject seen = pipeline.process(received(0), {}).array.objects.at(0);
+  image_.setTo(cv::Scalar(110, 110, 110));
+  const DetectedObject held = pipeline.process(received(2), {}).array.objects.at(0);
+  EXPECT_EQ(held.state, DetectedObject::HELD);
+  ASSERT_TRUE(held.pose_valid);
+  EXPECT_NEAR(held.pose.pose.position.x, seen.pose.pose.position.x, 1e-9);
+  EXPECT_NEAR(held.grasp.position.x, seen.grasp.position.x, 1e-9);
+  move_to(0.2, 200);
+  const DetectedObject later = pipeline.process(received(200), {}).array.objects.at(0);
+  EXPECT_EQ(later.state, DetectedObject::HELD);
+  EXPECT_FALSE(later.pose_valid) << "tf has forgotten where the platform was";
+}
+
 TEST_F(DetectionPipelineTest, TheGraspIsInTheFrameOfThePoses) {
   config_.target_frame = "base";
   geometry_msgs::TransformStamped transform;

@@ -107,7 +107,7 @@ double InstanceTracker::Track::distance_to(const Match& match, double stamp) con
   if (before.name != match.name || before.revision != match.revision)
     return std::numeric_limits<double>::infinity();
   const cv::Point2d way = match.pose.position() - before.pose.position();
-  const double passed = stamp - seen_at;
+  const double passed = stamp - last.seen_at;
   if (passed > kLongestGuess) return cv::norm(way);
   return std::min(cv::norm(way), cv::norm(way - velocity * passed));
 }
@@ -143,7 +143,7 @@ InstanceTracker::Track& InstanceTracker::begin_track(double stamp, const Match& 
   const int index = free_frame_index(match.name);
   Track& track = tracks_.emplace_back();
   track.last.match = match;
-  track.seen_at = stamp;
+  track.last.seen_at = stamp;
   track.last.instance_id = next_id_++;
   track.last.frame_index = index;
   return track;
@@ -153,16 +153,16 @@ void InstanceTracker::see(Track& track, const Match& match, double stamp) {
   const Match& before = track.last.match;
   if (angle_jumped(before, match)) track.graspable.clear();
   const double theta = nearest_angle(before.pose.theta, match);
-  if (stamp > track.seen_at)
+  if (stamp > track.last.seen_at)
     track.velocity =
-        (match.pose.position() - before.pose.position()) * (1 / (stamp - track.seen_at));
+        (match.pose.position() - before.pose.position()) * (1 / (stamp - track.last.seen_at));
   track.graspable.push_back(match.graspable);
   while (static_cast<int>(track.graspable.size()) > config_.confirm_window)
     track.graspable.pop_front();
   track.last.match = match;
   track.last.match.pose.theta = theta;
   track.last.valid_until = stamp + config_.max_age;
-  track.seen_at = stamp;
+  track.last.seen_at = stamp;
   track.seen = true;
   track.missed = 0;
   const auto times = std::count(track.graspable.begin(), track.graspable.end(), true);
@@ -195,7 +195,7 @@ void InstanceTracker::note_missed() {
 }
 
 bool InstanceTracker::is_held(const Track& track, double stamp) const {
-  return config_.hold_time > 0 && stamp - track.seen_at <= config_.hold_time;
+  return config_.hold_time > 0 && stamp - track.last.seen_at <= config_.hold_time;
 }
 
 void InstanceTracker::drop_lost(double stamp) {
