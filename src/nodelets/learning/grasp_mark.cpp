@@ -42,6 +42,11 @@ void GraspMark::clear() {
   T_base_gripper_.reset();
 }
 
+bool GraspMark::is_marked() const {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return T_base_gripper_.has_value();
+}
+
 bool GraspMark::is_marked_since(const ros::Time& time) const {
   const std::lock_guard<std::mutex> lock(mutex_);
   // A mark in the future was recorded before the clock jumped back.

@@ -26,6 +26,8 @@ class GraspMark {
 
   void clear();
 
+  bool is_marked() const;
+
   /// Whether a mark was recorded at `time` or later; an older one belongs to another demonstration.
   bool is_marked_since(const ros::Time& time) const;
 

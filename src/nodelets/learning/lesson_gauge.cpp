@@ -45,7 +45,7 @@ void LessonGauge::mark(const std_msgs::Header& newest_image) {
 
 Calibration LessonGauge::calibrate_image(const sensor_msgs::CameraInfo& given,
                                          const std_msgs::Header& header, cv::Size size) const {
-  const auto live = camera_.camera_info_for(header.frame_id, size);
+  const auto live = camera_.camera_info_for(header, size);
   return calibrate(config_, given.width != 0 ? &given : live.get(), header, size, tf_);
 }
 
@@ -54,6 +54,7 @@ LessonMeasures LessonGauge::measure(const Calibration& calibration, const ros::T
   LessonMeasures measures;
   if (!has_platform(config_)) return measures;
   measures.marked = mark_.is_marked_since(since);
+  measures.marked_earlier = !measures.marked && mark_.is_marked();
   measures.fault = calibration.fault;
   if (!calibration.platform) return measures;
   const auto scale = calibration.platform->metres_per_pixel(reference.position(), object_height);

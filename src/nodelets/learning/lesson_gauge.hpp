@@ -22,8 +22,9 @@ namespace mbncc::nodelets {
 struct LessonMeasures {
   double metres_per_pixel = Quality::kUnknown;
   std::optional<Grasp> grasp;
-  bool marked = false;  ///< a grasp was marked in this demonstration
-  std::string fault;    ///< why scale or a marked grasp is missing although it is wanted
+  bool marked = false;          ///< a grasp was marked in this demonstration
+  bool marked_earlier = false;  ///< a grasp was marked, but in another demonstration
+  std::string fault;            ///< why scale or a marked grasp is missing although it is wanted
 };
 
 class LessonGauge {

@@ -84,11 +84,15 @@ std::string LessonStore::measure(ObjectModel& model, const Calibration& calibrat
 }
 
 std::string LessonStore::missing_data_message(const LessonMeasures& measures) const {
-  if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return "";
+  const std::string earlier = measures.marked_earlier
+                                  ? " The marked grasp was not stored: it was marked before this "
+                                    "demonstration began; mark it during the next one."
+                                  : "";
+  if (measures.fault.empty() || (goal_.add_view && !measures.marked)) return earlier;
   const std::string what = goal_.add_view    ? "The marked grasp was not stored"
                            : measures.marked ? "Learned without scale and marked grasp"
                                              : "Learned without scale";
-  return " " + what + ": " + measures.fault + ".";
+  return " " + what + ": " + measures.fault + "." + earlier;
 }
 
 }  // namespace mbncc::nodelets

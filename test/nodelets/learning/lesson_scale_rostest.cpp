@@ -155,6 +155,9 @@ TEST_F(LessonScale, AnObjectLearnedWithoutScaleReportsIt) {
   EXPECT_EQ(lesson.error_code, Result::SUCCESS) << lesson.message;
   EXPECT_TRUE(std::isnan(lesson.object.metres_per_pixel));
   EXPECT_NE(lesson.message.find("without scale"), std::string::npos) << lesson.message;
+  EXPECT_FALSE(lesson.object.has_grasp);
+  EXPECT_NE(lesson.message.find("marked before this demonstration"), std::string::npos)
+      << "the grasp of SetUp(): " << lesson.message;
 }
 
 // Must be the last test, because later stamps are too old for tf.
