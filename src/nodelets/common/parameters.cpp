@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/common/parameters.hpp"
 
+#include <ros/console.h>
+#include <ros/master.h>
+#include <ros/this_node.h>
+
 #include "mbncc/error.hpp"
 
 namespace mbncc::nodelets {
@@ -94,6 +98,15 @@ void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>&
   XmlRpcValue values;
   if (!handle.getParam(handle.getNamespace(), values)) return;
   assign_parameters(rows, values, foreign);
+}
+
+void store_parameter(const std::string& name, const XmlRpcValue& value) {
+  XmlRpcValue request, response, payload;
+  request[0] = ros::this_node::getName();
+  request[1] = name;
+  request[2] = value;
+  if (!ros::master::execute("setParam", request, response, payload, false))
+    ROS_WARN("parameter %s was not stored: the ROS master does not answer", name.c_str());
 }
 
 }  // namespace mbncc::nodelets

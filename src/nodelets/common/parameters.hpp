@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Reads a nodelet's private parameters strictly into a config struct: every key must be known, of
-// the right type and in range.
+// the right type and in range. Writes single parameters.
 #pragma once
 
 #include <XmlRpcValue.h>
@@ -26,5 +26,9 @@ void assign_parameters(const std::vector<FieldRow>& rows, const XmlRpc::XmlRpcVa
 /// Throws ConfigError, which also names the namespace.
 void read_parameters(const ros::NodeHandle& handle, const std::vector<FieldRow>& rows,
                      std::set<std::string> foreign = {});
+
+/// Writes the parameter with this resolved name. Unlike ros::param::set(), it does not wait for a
+/// master that does not answer: the value is then not stored, which is logged.
+void store_parameter(const std::string& name, const XmlRpc::XmlRpcValue& value);
 
 }  // namespace mbncc::nodelets

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "mbncc/error.hpp"
+#include "nodelets/common/parameters.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -80,10 +81,13 @@ void assign_all(const Rows& rows, const Parameters& parameters,
 /// Writes the values to the parameter server, so that its clients, and the nodelet after a restart,
 /// get the current ones.
 void store(const ros::NodeHandle& node, const Config& config) {
-  for (const auto& flag : config.bools) node.setParam(flag.name, flag.value != 0);
-  for (const auto& number : config.ints) node.setParam(number.name, number.value);
-  for (const auto& number : config.doubles) node.setParam(number.name, number.value);
-  for (const auto& text : config.strs) node.setParam(text.name, text.value);
+  const auto store_value = [&node](const std::string& name, const XmlRpc::XmlRpcValue& value) {
+    store_parameter(node.resolveName(name), value);
+  };
+  for (const auto& flag : config.bools) store_value(flag.name, static_cast<bool>(flag.value));
+  for (const auto& number : config.ints) store_value(number.name, number.value);
+  for (const auto& number : config.doubles) store_value(number.name, number.value);
+  for (const auto& text : config.strs) store_value(text.name, text.value);
 }
 
 }  // namespace

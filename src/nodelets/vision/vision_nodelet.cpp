@@ -12,6 +12,7 @@
 #include "mbncc/health_tasks.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"
 #include "nodelets/common/health_report.hpp"
+#include "nodelets/common/parameters.hpp"
 #include "nodelets/vision/vision_messages.hpp"
 
 namespace mbncc::nodelets {
@@ -84,7 +85,7 @@ class VisionNodelet : public GuardedNodelet {
     XmlRpc::XmlRpcValue ids;
     ids.begin();  // makes an empty struct if there are no names yet
     for (const auto& [id, name] : ids_.names()) ids[name] = static_cast<int>(id);
-    private_node().setParam("object_ids", ids);
+    store_parameter(private_node().resolveName("object_ids"), ids);
     info_.publish(info);
   }
 

@@ -2,6 +2,7 @@
 #include "nodelets/common/parameters.hpp"
 
 #include <gtest/gtest.h>
+#include <ros/init.h>
 
 #include "mbncc/error.hpp"
 
@@ -118,6 +119,13 @@ TEST(Parameters, ListsAndNamespacesAreRefused) {
 
 TEST(Parameters, KeysOfOtherLibrariesAreIgnored) {
   EXPECT_EQ(refusal(one("known_to_others", one("a", 1))), "");
+}
+
+TEST(Parameters, StoringDoesNotWaitForAMasterThatDoesNotAnswer) {
+  const ros::M_string nobody{{"__master", "http://localhost:1"}};
+  ros::init(nobody, "parameters_test", ros::init_options::NoSigintHandler);
+  store_parameter("/parameters_test/search_roi", "0,0,10,10");  // returns, and logs a warning
+  SUCCEED();
 }
 
 }  // namespace
