@@ -88,7 +88,7 @@ class RectifyNodelet : public GuardedNodelet {
   std::string publish(const sensor_msgs::Image& message) {
     const Decoded decoded = decode_image(message, config_.images.white_level);
     if (!decoded) return decoded.fault;
-    const auto info = camera_->camera_info_for(message.header.frame_id, decoded.image.size());
+    const auto info = camera_->camera_info_for(message.header, decoded.image.size());
     if (!info) return kNoCameraInfo;
     const cv::Size size = decoded.image.size();
     const RectifiedView view = top_view_ ? top_view_->view(*info, message.header, size)

@@ -3,14 +3,14 @@
 
 #include <ros/console.h>
 
+#include <cstdint>
 #include <utility>
-
-#include "nodelets/conversion/camera_model.hpp"
 
 namespace mbncc::nodelets {
 namespace {
 
 constexpr std::chrono::seconds kImageTimeout{5};  // longest gap between images
+constexpr std::uint32_t kWaitingInfos = 10;       // calibrations that may wait for the callback
 
 std::string nobody_publishes(const std::string& topic) {
   return "no publisher of images on " + topic + "; start the camera, or check the image topic";
@@ -22,7 +22,8 @@ CameraInput::CameraInput(ros::NodeHandle node, CameraInputConfig config, Callbac
     : node_(std::move(node)),
       transport_(node_),
       config_(std::move(config)),
-      callback_(std::move(callback)) {}
+      callback_(std::move(callback)),
+      history_(config_.max_info_age) {}
 
 void CameraInput::set_active(const std::function<bool()>& wanted) {
   const std::lock_guard<std::mutex> switching(switching_);
@@ -39,7 +40,7 @@ void CameraInput::unsubscribe() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::swap(images, images_);
     std::swap(infos, infos_);
-    info_.reset();
+    history_.clear();
   }
   // Waits for a running callback, which may be waiting for the mutex.
   images.shutdown();
@@ -49,10 +50,9 @@ void CameraInput::unsubscribe() {
 void CameraInput::subscribe() {
   const std::lock_guard<std::mutex> lock(mutex_);
   infos_ = node_.subscribe<sensor_msgs::CameraInfo>(
-      "camera_info", 1, [this](const sensor_msgs::CameraInfoConstPtr& info) {
+      "camera_info", kWaitingInfos, [this](const sensor_msgs::CameraInfoConstPtr& info) {
         const std::lock_guard<std::mutex> info_lock(mutex_);
-        info_ = info;
-        info_received_ = Clock::now();
+        history_.add(info);
       });
   image_received_ = Clock::now();
   if (transport_fault_.empty()) subscribe_to_images();
@@ -95,15 +95,13 @@ std::string CameraInput::fault() const {
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  return Clock::now() - info_received_ <= std::chrono::duration<double>(config_.max_info_age)
-             ? info_
-             : nullptr;
+  return history_.newest();
 }
 
-sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std::string& frame_id,
+sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std_msgs::Header& header,
                                                              cv::Size size) const {
-  const auto info = camera_info();
-  return info && image_size(*info) == size && info->header.frame_id == frame_id ? info : nullptr;
+  const std::lock_guard<std::mutex> lock(mutex_);
+  return history_.of_image(header, size);
 }
 
 }  // namespace mbncc::nodelets

@@ -13,6 +13,8 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "nodelets/common/camera_info_history.hpp"
+
 namespace mbncc::nodelets {
 
 /// Message if no image has arrived for some time.
@@ -49,9 +51,10 @@ class CameraInput {
   /// The last received calibration; null if none is valid.
   sensor_msgs::CameraInfoConstPtr camera_info() const;
 
-  /// The last received calibration if it is valid and fits images of this frame and size; otherwise
-  /// null.
-  sensor_msgs::CameraInfoConstPtr camera_info_for(const std::string& frame_id, cv::Size size) const;
+  /// The calibration of an image with this header and size, as CameraInfoHistory::of_image() finds
+  /// it; null if there is none.
+  sensor_msgs::CameraInfoConstPtr camera_info_for(const std_msgs::Header& header,
+                                                  cv::Size size) const;
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -71,8 +74,8 @@ class CameraInput {
   std::string transport_fault_;
   image_transport::Subscriber images_;
   ros::Subscriber infos_;
-  sensor_msgs::CameraInfoConstPtr info_;
-  Clock::time_point info_received_, image_received_;
+  CameraInfoHistory history_;
+  Clock::time_point image_received_;
 };
 
 }  // namespace mbncc::nodelets

@@ -216,7 +216,7 @@ ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
   const Decoded decoded = decode_image(*message, white_level);
   if (!decoded) refuse(decoded.fault);
   return {decoded.image, message->header,
-          tools_.camera.camera_info_for(message->header.frame_id, decoded.image.size())};
+          tools_.camera.camera_info_for(message->header, decoded.image.size())};
 }
 
 std::unique_lock<std::timed_mutex> FindService::lock_search(Clock::time_point deadline) {

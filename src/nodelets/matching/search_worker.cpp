@@ -88,9 +88,8 @@ void SearchWorker::search(const sensor_msgs::Image& message) {
     return refuse(error.what());
   }
   tools_.pipeline.configure(settings);
-  const ReceivedImage received{
-      decoded.image, message.header,
-      tools_.camera.camera_info_for(message.header.frame_id, decoded.image.size())};
+  const ReceivedImage received{decoded.image, message.header,
+                               tools_.camera.camera_info_for(message.header, decoded.image.size())};
   const Detections detections = tools_.pipeline.process(received, request_);
   if (generation == generation_) publish(detections, decoded.image);
 }
