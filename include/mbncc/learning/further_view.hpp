@@ -26,8 +26,8 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
 
 /// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
 /// the refusal's message and hint as the first advice, so that the operator reads them before
-/// correcting the view.
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
-                       const SearchConfig& search = {});
+/// correcting the view. Returns the refusal.
+std::optional<Refusal> note_refused_view(ObjectModel& learned, const ObjectModel& stored,
+                                         const cv::Mat& image, const SearchConfig& search = {});
 
 }  // namespace mbncc

@@ -121,8 +121,14 @@ void LessonDraft::update() {
 }
 
 void LessonDraft::note_refused_further_view() {
-  if (const auto stored = tools_.library.snapshot()->find(name_))
-    note_refused_view(learned_.object, *stored, images_.before().image, tools_.search);
+  const auto stored = tools_.library.snapshot()->find(name_);
+  if (!stored) return;
+  const auto refusal =
+      note_refused_view(learned_.object, *stored, images_.before().image, tools_.search);
+  if (!refusal) return;
+  learned_.error = refusal->error;
+  learned_.message = refusal->message;
+  learned_.hint = refusal->hint;
 }
 
 }  // namespace mbncc::nodelets

@@ -23,6 +23,13 @@ cv::Mat noisy(const cv::Mat& image, int seed) {
   return image + noise;
 }
 
+TEST(PhaseShift, IsZeroForImagesOfOneOrTwoRows) {
+  for (const int rows : {1, 2}) {
+    const cv::Mat strip = ground({200, rows});
+    EXPECT_EQ(phase_shift(strip, strip), cv::Point2d());
+  }
+}
+
 // Tests even and odd sizes whose transform is fast, and others.
 TEST(PhaseShift, EqualsThatOfOpenCv) {
   for (const cv::Size size : {cv::Size(320, 240), cv::Size(225, 135), cv::Size(157, 211)}) {

@@ -44,6 +44,7 @@ class CutEvidenceTest : public testing::Test {
     cut.changed = changed_;
     cut.object_like = object_like_;
     cut.intruders = intruders_;
+    cut.confirmed = confirmed_;
     return cut_evidence(cut, smoothness_, half_);
   }
 
@@ -54,7 +55,7 @@ class CutEvidenceTest : public testing::Test {
   }
 
   cv::Rect region_ = kRegion;
-  cv::Mat intruders_;
+  cv::Mat intruders_, confirmed_;
   Smoothness smoothness_ = even();
   const Smoothness half_ = half_resolution(even());
   cv::Mat unary_ = cv::Mat(kSize, CV_32FC1, cv::Scalar(-8));
@@ -83,6 +84,8 @@ TEST_F(CutEvidenceTest, MeasuresChangeOutsideTheMap) {
   EXPECT_EQ(evidence().change_beside, 0);
   changed_(cv::Rect(60, 20, 8, 10)).setTo(1);  // in the region
   EXPECT_NEAR(evidence().change_beside, 80.0 / kObject.area(), 1e-6);
+  confirmed_ = map_of(kRegion);
+  EXPECT_EQ(evidence().change_beside, 0) << "the operator has excluded it";
   changed_(cv::Rect(0, 0, 80, 5)).setTo(1);
   EXPECT_NEAR(evidence().change_outside, 400.0 / (kSize.area() - kRegion.area()), 1e-6);
   changed_.setTo(0.6);

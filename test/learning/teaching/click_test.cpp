@@ -132,6 +132,32 @@ TEST(Click, SelectsOneOfTwoRemovedNeighbours) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
 }
 
+// A nut in the corner of a bracket left as well. A stroke must not bring it back.
+TEST(Click, AStrokeDoesNotAddAnExcludedNeighbour) {
+  const cv::Size size(340, 240);
+  const auto drawn = draw_lesson({80, 110}, size);
+  cv::Mat bracket = cv::Mat::zeros(size, CV_8UC1), nut = bracket.clone();
+  cv::rectangle(bracket, {120, 60}, {150, 180}, cv::Scalar(255), cv::FILLED);
+  cv::rectangle(bracket, {120, 145}, {240, 180}, cv::Scalar(255), cv::FILLED);
+  cv::circle(nut, {200, 100}, 30, cv::Scalar(255), cv::FILLED);
+  cv::Mat scene = drawn.platform.clone();
+  test::texture(size, cv::Scalar(40, 60, 190), 22, 2).copyTo(scene, bracket);
+  test::texture(size, cv::Scalar(190, 80, 40), 22, 3).copyTo(scene, nut);
+  Lesson lesson = drawn.lesson;
+  lesson.before = test::exposed(scene, 11);
+  lesson.after = test::exposed(drawn.platform, 12);
+  lesson.region = {};
+  lesson.click = cv::Point2d(135, 120);
+  InteractiveLesson edited(lesson);
+  EXPECT_GT(iou(map_of(edited.result()), bracket), 0.9);
+  LessonEdit edit;
+  edit.stroke_width = 3;
+  edit.include = {{{135, 100}, {135, 110}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), bracket), 0.9);
+  edit.include = {{{195, 100}, {205, 100}}};
+  EXPECT_GT(iou(map_of(edited.edit(edit)), bracket | nut), 0.9) << "unless the stroke means it";
+}
+
 // The cloth under the object moved as well, except at the image's border.
 TEST(Click, WorksOnAPlatformThatAlsoChanged) {
   const cv::Size size(320, 240);

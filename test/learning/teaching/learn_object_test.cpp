@@ -107,6 +107,19 @@ TEST(LearnObject, AStrokeKeepsTheVerifiedMapWithoutReflection) {
   EXPECT_LT(edited.evidence->stability, 0.85) << "the other cut still took more";
 }
 
+TEST(LearnObject, AStrokeOnTheReflectionSettlesWhatTheCutsDisagreeAbout) {
+  const DrawnLesson drawn = draw_reflection();
+  InteractiveLesson lesson(drawn.lesson);
+  LessonEdit edit;
+  edit.exclude = {{{88, 60}, {88, 140}}};
+  edit.stroke_width = 20;
+  const LearnResult edited = lesson.edit(edit);
+  EXPECT_GT(iou(learned_map(edited), drawn.truth), 0.9);
+  ASSERT_TRUE(edited.evidence);
+  EXPECT_GT(edited.evidence->stability, 0.85);
+  EXPECT_LT(edited.evidence->change_beside, 0.05);
+}
+
 // Without the image after, the two methods disagree on the reflection.
 TEST(LearnObject, AStrokeInOneImageDoesNotHideThatTheMethodsDisagree) {
   DrawnLesson drawn = draw_reflection();

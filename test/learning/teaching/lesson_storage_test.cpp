@@ -204,12 +204,12 @@ TEST_F(AddView, ARefusalIsReportedBeforeConfirmation) {
   const ObjectModel stored = learned(first, scene_.render({first}, 1));
   const cv::Mat wrong = scene_.render({other}, 2), right = scene_.render({moved}, 3);
   ObjectModel lesson = learned(other, wrong);
-  note_refused_view(lesson, stored, wrong);
+  EXPECT_TRUE(note_refused_view(lesson, stored, wrong));
   EXPECT_EQ(lesson.quality.verdict, Verdict::kBad);
   EXPECT_EQ(lesson.quality.reasons, std::vector<std::string>{"view_refused"});
   EXPECT_NE(lesson.quality.advice.at(0).find("was not found in the new image"), std::string::npos);
   lesson = learned(moved, right);
-  note_refused_view(lesson, stored, right);
+  EXPECT_FALSE(note_refused_view(lesson, stored, right));
   EXPECT_EQ(lesson.quality.verdict, Verdict::kGood);
   EXPECT_TRUE(lesson.quality.advice.empty());
   EXPECT_EQ(stored.views.size(), 1u);

@@ -7,6 +7,9 @@
 #include <opencv2/imgproc.hpp>
 
 #include "learning/images.hpp"
+#include "learning/teaching/put_aside.hpp"
+#include "learning/teaching/segmenter.hpp"
+#include "mbncc/learning/change.hpp"
 #include "mbncc/learning/interactive_lesson.hpp"
 
 namespace mbncc {
@@ -52,6 +55,29 @@ TEST_P(PutAside, IsFoundAtItsNewPlace) {
   const LearnResult result = learn_object(drawn_.lesson);
   expect_at_new_place(result);
   EXPECT_GT(quality(result), 0.93);
+}
+
+// What lies beyond the border of the image after says nothing about the map.
+TEST(PutAsideLesson, APartOutOfViewIsNoPlatform) {
+  const auto drawn = test::draw_lesson(kOldPlace, kSize);
+  const double way = kSize.width - 10 - kOldPlace.x;
+  cv::Mat after = drawn.platform.clone(), moved, cover;
+  const cv::Matx23d shift(1, 0, way, 0, 1, 20);
+  cv::warpAffine(drawn.scene, moved, shift, kSize);
+  cv::warpAffine(drawn.truth, cover, shift, kSize, cv::INTER_NEAREST);
+  moved.copyTo(after, cover);
+  Lesson lesson = drawn.lesson;
+  lesson.after = test::exposed(after, 12);
+  const LearnResult learned = learn_object(lesson);
+  ASSERT_TRUE(learned.put_aside) << learned.message;
+  teaching::SegmentationTask task{lesson.before, lesson.after, lesson.region, drawn.truth,
+                                  survey_change(lesson.before, lesson.after).changed};
+  const auto found = teaching::find_put_aside(learned.object, drawn.truth, task, task.changed,
+                                              LearningConfig(), SearchConfig());
+  ASSERT_TRUE(found);
+  const int beyond = static_cast<int>(kSize.width - way) + 3;
+  ASSERT_GT(cv::countNonZero(drawn.truth.colRange(beyond, kSize.width)), 300);
+  EXPECT_EQ(cv::norm(found->preference.colRange(beyond, kSize.width), cv::NORM_INF), 0);
 }
 
 TEST_P(PutAside, IsFoundWithoutARegion) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "learning/alignment/phase_shift.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -8,7 +9,8 @@
 namespace mbncc::alignment {
 namespace {
 
-constexpr int kAround = 2;  // [px] neighbourhood of a peak that gives its sub-pixel position
+constexpr int kSmallest = 3;  // [px]
+constexpr int kAround = 2;    // [px] neighbourhood of a peak that gives its sub-pixel position
 
 std::vector<float> half_hanning(int size) {
   std::vector<float> window(size);
@@ -89,6 +91,8 @@ cv::Point2d peak_of(const cv::Mat& correlation) {
 }  // namespace
 
 cv::Point2d phase_shift(const cv::Mat& before, const cv::Mat& after) {
+  // A window of one or two pixels is zero.
+  if (std::min(before.cols, before.rows) < kSmallest) return {};
   cv::Mat correlation = windowed(before), other = windowed(after);
   cv::dft(correlation, correlation);
   cv::dft(other, other);

@@ -41,11 +41,12 @@ double boundary_contrast(const FinishedCut& cut, const Smoothness& smoothness) {
   return 1 - cost / std::max(1.0, length);
 }
 
-// Certain change outside the map: an arrival, or a missing part.
+// Certain change outside the map that no stroke has explained: an arrival, or a missing part.
 double change_beside(const FinishedCut& cut) {
   cv::Mat grown;
   cv::dilate(cut.map, grown, cv::Mat::ones(kBeside, kBeside, CV_8U));
-  const cv::Mat beside = (cut.changed > kSurelyChanged) & cut.inside & ~grown;
+  cv::Mat beside = (cut.changed > kSurelyChanged) & cut.inside & ~grown;
+  if (!cut.confirmed.empty()) beside.setTo(0, cut.confirmed);
   return cv::countNonZero(beside) / std::max(1.0, static_cast<double>(cv::countNonZero(cut.map)));
 }
 
@@ -54,6 +55,7 @@ double change_beside(const FinishedCut& cut) {
 double cut_off(const FinishedCut& cut) {
   cv::Mat beyond = cut.object_like & ~cut.inside;
   if (!cut.intruders.empty()) beyond |= cut.intruders;
+  if (!cut.confirmed.empty()) beyond.setTo(0, cut.confirmed);
   cv::dilate(beyond, beyond, cv::Mat::ones(kAdjoining, kAdjoining, CV_8U));
   return part(beyond, outline_pixels(cut.map));
 }

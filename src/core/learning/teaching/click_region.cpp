@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <set>
 
 #include "imaging/rectangles.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
@@ -113,6 +114,17 @@ cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click) {
   const cv::Mat labels = labels_of(mask);
   const int near = label_near(labels, click);
   return piece(labels, near != 0 ? near : label_around(hole_at(mask, click), labels));
+}
+
+cv::Mat pieces_with(const cv::Mat& mask, const cv::Mat& seed) {
+  const cv::Mat labels = labels_of(mask);
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(mask & seed, pixels);
+  std::set<int> wanted;
+  for (const auto& pixel : pixels) wanted.insert(labels.at<int>(pixel));
+  cv::Mat pieces = cv::Mat::zeros(mask.size(), CV_8UC1);
+  for (const int label : wanted) pieces |= piece(labels, label);
+  return pieces;
 }
 
 cv::Mat hole_at(const cv::Mat& mask, const cv::Point2d& click) {

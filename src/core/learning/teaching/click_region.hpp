@@ -29,6 +29,9 @@ std::optional<ClickedRegion> stable_region(const cv::Mat& image, const cv::Point
 /// 15 pixels, or else on the one that encloses it; all 0 if there is none.
 cv::Mat piece_at(const cv::Mat& mask, const cv::Point2d& click);
 
+/// 255 on the connected pieces of `mask` with a pixel of `seed`; both CV_8UC1 of one size.
+cv::Mat pieces_with(const cv::Mat& mask, const cv::Mat& seed);
+
 /// 255 on the enclosed hole of `mask` (CV_8UC1) that contains the click, which lies in the image;
 /// all 0 if there is none, or `mask` has pixels within 15 pixels, because clicks may miss by that.
 cv::Mat hole_at(const cv::Mat& mask, const cv::Point2d& click);

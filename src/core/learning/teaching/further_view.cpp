@@ -82,16 +82,17 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
   return {};
 }
 
-void note_refused_view(ObjectModel& learned, const ObjectModel& stored, const cv::Mat& image,
-                       const SearchConfig& search) {
+std::optional<Refusal> note_refused_view(ObjectModel& learned, const ObjectModel& stored,
+                                         const cv::Mat& image, const SearchConfig& search) {
   ObjectModel tried = stored;
   const auto refusal = add_view(tried, learned, image, search);
-  if (!refusal) return;
+  if (!refusal) return {};
   Quality& quality = learned.quality;
   quality.verdict = Verdict::kBad;
   quality.reasons.insert(quality.reasons.begin(), "view_refused");
   quality.advice.insert(quality.advice.begin(),
                         "It cannot be added. " + refusal->message + " " + refusal->hint);
+  return refusal;
 }
 
 }  // namespace mbncc

@@ -80,7 +80,7 @@ class LessonRun {
   }
 
   void keep_changed() {
-    if (!cutter_.task().changed.empty()) state_.changed = cutter_.task().changed;
+    if (!cutter_.departed().empty()) state_.changed = cutter_.departed();
   }
 
   void finish(const Segmentation& segmentation) {

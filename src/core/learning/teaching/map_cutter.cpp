@@ -69,6 +69,23 @@ Segmentation including(const cv::Mat& hole, Segmentation cut) {
   return cut;
 }
 
+// The pieces of a cut with a pixel of `seed`, and of further cuts those with a pixel of its map or
+// of a stroke: other pieces are neighbours that left as well.
+Segmentation only_with(const cv::Mat& seed, Segmentation cut) {
+  cut.map = pieces_with(cut.map, seed);
+  if (cut.cut_again) {
+    cut.cut_again = [map = cut.map, again = cut.cut_again](const Marks& marks) {
+      return only_with((map & ~marks.exclude) | marks.include, again(marks));
+    };
+  }
+  if (cut.cut_with) {
+    cut.cut_with = [map = cut.map, with = cut.cut_with](const cv::Mat& preference) {
+      return only_with(map, with(preference));
+    };
+  }
+  return cut;
+}
+
 // A cut that is as stable as `agreement` at most, after strokes as well.
 Segmentation limited_by(double agreement, Segmentation cut) {
   if (cut.evidence) cut.evidence->stability = std::min(cut.evidence->stability, agreement);
@@ -117,8 +134,8 @@ Segmentation MapCutter::accept(const cv::Mat& map) {
 void MapCutter::mark_region() {
   const StepTimer timer(timings_ms_, "region");
   const RegionOfLesson region = region_of(lesson_, config_);
-  task_ = {lesson_.before, lesson_.after, region.room, region.approximate, region.changed};
-  surveyed_ = region.surveyed;
+  task_ = {lesson_.before, lesson_.after, region.room, region.approximate, region.surveyed};
+  departed_ = region.changed;
   agreement_ = region.agreement;
   second_departure_ = region.second_departure;
   progress_.report(Stage::kRegion, 0.1, "Marking the approximate region.",
@@ -127,7 +144,6 @@ void MapCutter::mark_region() {
 
 void MapCutter::set_place(const cv::Rect& place) {
   task_.region = place;
-  task_.changed = surveyed_;
 }
 
 Segmentation MapCutter::segment(Growth growth) {
@@ -177,9 +193,9 @@ Segmentation MapCutter::segment_clicked_change(Growth growth) {
   Segmentation found = find_clicked(growth);
   task_.largest_touch = 1;
   if (!found.evidence || found.evidence->region_touch == 0) return found;
-  Segmentation compared = segment_once();
-  compared.map = piece_at(compared.map, *lesson_.click);
-  return cv::countNonZero(compared.map) > 0 ? compared : found;
+  const Segmentation compared = segment_once();
+  const cv::Mat piece = piece_at(compared.map, *lesson_.click);
+  return cv::countNonZero(piece) > 0 ? only_with(piece, compared) : found;
 }
 
 // Where the platform changed as well, the change around a click contains more than the object.
@@ -218,10 +234,10 @@ Segmentation MapCutter::clicked(const Segmentation& found) {
   const int margin =
       std::max(kClickMargin, static_cast<int>(kClickPart * std::max(box.width, box.height)));
   task_.region = imaging::grown(box, margin) & usable_region(lesson_);
-  Segmentation alone = segment_once();
-  alone.map = piece_at(alone.map, *lesson_.click);
-  check_map(alone.map, task_.region);
-  return alone;
+  const Segmentation alone = segment_once();
+  const cv::Mat clicked_piece = piece_at(alone.map, *lesson_.click);
+  check_map(clicked_piece, task_.region);
+  return only_with(clicked_piece, alone);
 }
 
 // A click is a point on the object. Where the object has the platform's colour there, its rim alone

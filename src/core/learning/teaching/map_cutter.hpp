@@ -47,7 +47,9 @@ class MapCutter {
   void set_task(const SegmentationTask& task) { task_ = task; }
 
   /// All changes, arrivals included: CV_8UC1 of the image's size; empty without an image after.
-  const cv::Mat& surveyed() const { return surveyed_; }
+  const cv::Mat& surveyed() const { return task_.changed; }
+  /// Where something may have left, as in RegionOfLesson.
+  const cv::Mat& departed() const { return departed_; }
   double second_departure() const { return second_departure_; }  ///< as in RegionOfLesson
 
  private:
@@ -72,7 +74,7 @@ class MapCutter {
   LessonProgress& progress_;
   std::map<std::string, double>& timings_ms_;
   SegmentationTask task_;
-  cv::Mat surveyed_;
+  cv::Mat departed_;
   double agreement_ = 1, second_departure_ = 0;  // as in RegionOfLesson
 };
 

@@ -27,7 +27,7 @@ constexpr double kOtherPart = 0.05;  // least area of another possible place per
 constexpr std::size_t kOthersTried = 3;
 constexpr int kPartMargin = 4;           // [px] margin around a part of a map
 constexpr double kLeastAgreement = 0.5;  // least IoU of the moved map and the cut at the place
-constexpr float kOutside = -4;           // log-odds of pixels outside the other view
+constexpr float kLeast = -4;             // least log-odds by the other view
 
 struct Place {
   cv::Rect box;
@@ -98,12 +98,12 @@ class PutAsideSearch {
   }
 
  private:
+  // Pixels that lie beyond the border of the other view say nothing.
   static cv::Mat seen_from_before(const cv::Mat& preference, const cv::Matx23d& motion) {
     cv::Mat warped;
     cv::warpAffine(preference, warped, motion, preference.size(),
-                   cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT,
-                   cv::Scalar(kOutside));
-    return cv::max(warped, kOutside);
+                   cv::INTER_LINEAR | cv::WARP_INVERSE_MAP, cv::BORDER_CONSTANT, cv::Scalar(0));
+    return cv::max(warped, kLeast);
   }
 
   cv::Mat map_;

@@ -53,21 +53,20 @@ cv::Mat grabcut_again(const cv::Mat& map, const Marks& marks, const Segmentation
   return overpainted(segmentation::clean_map(result), marks);
 }
 
-// Completes `evidence` by the measures that need only the map.
-Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task) {
+// Completes `evidence` by the measures that need only the map and the marks that led to it.
+Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const SegmentationTask& task,
+                        const Marks& marks = {}) {
+  const auto cut_again = [map, evidence, task](const Marks& further) {
+    return by_colours(grabcut_again(map, further, task), evidence, task, further);
+  };
   cv::Mat inside = cv::Mat::zeros(map.size(), CV_8UC1);
   inside(task.region).setTo(255);
+  if (!marks.empty()) inside |= marks.include;
   evidence.region_touch = segmentation::region_touch(map, inside);
   evidence.region_span = segmentation::region_span(map, inside);
   evidence.cut_off = std::min(evidence.cut_off, evidence.region_touch);
   evidence.unconfirmed_hole =
-      std::min(evidence.unconfirmed_hole, segmentation::enclosed_part(map, {}));
-  const auto cut_again = [map, evidence, task](const Marks& marks) -> Segmentation {
-    Segmentation again{grabcut_again(map, marks, task), evidence, {}, {}};
-    again.evidence->unconfirmed_hole =
-        std::min(evidence.unconfirmed_hole, segmentation::enclosed_part(again.map, marks.exclude));
-    return again;
-  };
+      std::min(evidence.unconfirmed_hole, segmentation::enclosed_part(map, marks.exclude));
   return {map, evidence, cut_again, {}};
 }
 
@@ -134,6 +133,20 @@ double left_out(const cv::Mat& change, const cv::Mat& map) {
   return cv::countNonZero(change & ~grown) / std::max(1.0, double(cv::countNonZero(map)));
 }
 
+// GrabCut's `map` with the evidence of the change cut. Strokes change both.
+Segmentation with_evidence_of(const Segmentation& change, const cv::Mat& map,
+                              const SegmentationTask& task, const Marks& marks = {}) {
+  CutEvidence evidence = *change.evidence;
+  evidence.stability = std::min(evidence.stability, segmentation::map_iou(change.map, map));
+  evidence.change_beside = std::max(evidence.change_beside, left_out(change.map, map));
+  Segmentation result = by_colours(map, evidence, task, marks);
+  result.cut_again = [change, map, task](const Marks& further) {
+    return with_evidence_of(change.cut_again(further), grabcut_again(map, further, task), task,
+                            further);
+  };
+  return result;
+}
+
 // A map that reaches the edge of its region contains a shadow or a reflection, or the region cuts
 // the object off. GrabCut, initialised with the change, replaces it if the two mostly agree and
 // GrabCut's outline is clearer (docs/decisions/0005-change-cut.md).
@@ -142,12 +155,8 @@ Segmentation clearer_at_region_edge(const Segmentation& change, const Segmentati
   if (change.evidence->region_touch == 0) return change;
   const cv::Mat map = segmentation::clean_map(
       grabcut_mask(task.before, task.region, task.approximate, rounds, before_cut));
-  const double agreement = segmentation::map_iou(change.map, map);
-  if (agreement < kSameObject) return change;
-  CutEvidence evidence = *change.evidence;
-  evidence.stability = std::min(evidence.stability, agreement);
-  evidence.change_beside = std::max(evidence.change_beside, left_out(change.map, map));
-  Segmentation colours = by_colours(map, evidence, task);
+  if (segmentation::map_iou(change.map, map) < kSameObject) return change;
+  Segmentation colours = with_evidence_of(change, map, task);
   if (edge_part(colours, task) < edge_part(change, task) + kClearer) return change;
   // Another view changes the cut, so the two are compared again.
   colours.cut_with = [with = change.cut_with, task, rounds](const cv::Mat& preference) {
