@@ -56,13 +56,13 @@ class InstanceTracker {
 
   /// Adds the matches of the image stamped `stamp` [s], which was searched for all names. Returns
   /// the matches in the given order, followed by the held instances. A stamp before the last one
-  /// resets the tracker first.
+  /// resets the tracker first, and frees the frame indices: the clock has jumped back.
   std::vector<TrackedMatch> update(double stamp, const std::vector<Match>& matches);
 
   /// Every instance must be confirmed again; one that has not moved keeps its id and frame.
   void interrupt();
 
-  /// Drops all instances; their ids are still not reused.
+  /// Drops all instances. Their ids are not reused, and their frame indices only after reuse_after.
   void reset();
 
  private:
@@ -89,6 +89,7 @@ class InstanceTracker {
   std::vector<std::string> reasons_of(const Track& track) const;
   bool is_held(const Track& track, double stamp) const;
   void drop_lost(double stamp);
+  void release(const Track& track, double stamp);
   int free_frame_index(const std::string& name) const;
   bool is_frame_taken(const std::string& name, int index) const;
 

@@ -49,6 +49,26 @@ TEST(PoseAverage, NormalisedErrorOfStillInstancesIsAboutOne) {
   EXPECT_LT(std::sqrt(error / kTrials), 0.6 * kSigma);
 }
 
+TEST(PoseAverage, PosesThatScatterMoreThanStatedAreNotStatedTooPrecisely) {
+  cv::RNG random(9);
+  double sum = 0;
+  constexpr int kTrials = 400;
+  constexpr double kMore = 1.35;
+  for (int trial = 0; trial < kTrials; ++trial) {
+    PoseAverage average(10);
+    const Pose2D truth{100, 50, 1};
+    Match last;
+    for (int i = 0; i < 10; ++i) {
+      const Pose2D usual = noisy(truth, random);
+      last = averaged(average,
+                      {truth.x + kMore * (usual.x - truth.x), truth.y + kMore * (usual.y - truth.y),
+                       truth.theta + kMore * (usual.theta - truth.theta)});
+    }
+    sum += std::pow(last.pose.x - truth.x, 2) / last.covariance(0, 0);
+  }
+  EXPECT_LT(std::sqrt(sum / kTrials), 1.3);
+}
+
 TEST(PoseAverage, CommonErrorOfAllImagesStaysInTheCovariance) {
   PoseAverage average(10);
   Match last;

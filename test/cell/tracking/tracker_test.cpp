@@ -93,6 +93,14 @@ TEST(InstanceTracker, AFrameIndexIsNotReusedForTenSeconds) {
             0);
 }
 
+TEST(InstanceTracker, AResetFreesFrameIndicesOnlyIfTheClockHasJumpedBack) {
+  InstanceTracker tracker;
+  tracker.update(1, {match_at(100, 100)});
+  tracker.reset();
+  EXPECT_EQ(tracker.update(1.1, {match_at(300, 100)})[0].frame_index, 1);
+  EXPECT_EQ(tracker.update(0.5, {match_at(300, 100)})[0].frame_index, 0);
+}
+
 TEST(InstanceTracker, IdsAreNeverUsedAgain) {
   InstanceTracker tracker;
   cv::RNG random(3);

@@ -31,6 +31,13 @@ bool is_within(const cv::Rect& inner, const cv::Rect& outer) {
   return (inner & outer) == inner;
 }
 
+/// A search takes the best known instance elsewhere into account, so the best are searched first.
+void best_first(std::vector<Instance>& instances) {
+  std::stable_sort(instances.begin(), instances.end(), [](const Instance& a, const Instance& b) {
+    return a.match.odds.uncalibrated() > b.match.odds.uncalibrated();
+  });
+}
+
 }  // namespace
 
 FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const Matcher& matcher,
@@ -122,6 +129,10 @@ void FrameSearch::rebuild_instances() {
   const SearchResult result = search(search_.whole(), memory_.objects.names());
   memory_.instances.all().clear();
   memory_.hidden.clear();
+  for (const auto& name : memory_.objects.names()) {
+    memory_.pending.add(name, search_.whole());  // in case the time budget ended before it
+    memory_.objects.at(name).urgent = true;
+  }
   for (const auto& name : result.searched) note_swept(name, result);
   for (const auto& match : result.matches) {
     memory_.instances.all().push_back(instance_from(match));
@@ -154,13 +165,23 @@ bool FrameSearch::is_settled(const cv::Rect& box) const {
 }
 
 /// An instance that has not been compared with other objects yet: of the match's competitors, only
-/// those of its own name are kept.
+/// those of its own name are kept that are no other known instance.
 Instance FrameSearch::instance_from(const Match& match) const {
   Instance instance;
   instance.match = match;
+  const double reach = memory_.objects.at(match.name).reach();
+  const auto is_known = [&](const Competitor& competitor) {
+    return std::any_of(
+        memory_.instances.all().begin(), memory_.instances.all().end(), [&](const Instance& one) {
+          return one.match.name == match.name && !is_continued(one.match, match, reach) &&
+                 cv::norm(one.match.pose.position() - competitor.position) <= reach;
+        });
+  };
   auto& own = instance.match.competitors;
   own.erase(std::remove_if(own.begin(), own.end(),
-                           [&](const auto& competitor) { return competitor.name != match.name; }),
+                           [&](const Competitor& competitor) {
+                             return competitor.name != match.name || is_known(competitor);
+                           }),
             own.end());
   instance.in_motion = is_in_motion(instance.box());
   return instance;
@@ -181,18 +202,22 @@ void FrameSearch::verify_touched() {
     one.others.clear();
     if (is_settled(one.box())) schedule_place(one);
   }
+  best_first(touched);
   for (const auto& one : touched)
     if (!find_again(one, touched)) memory_.hidden.push_back(one);
 }
 
-/// A hidden instance is searched for at its place whenever something comes to rest there, and a
-/// last time when the place matches the reference again.
+/// A hidden instance is searched for at its place when something comes to rest there, which is then
+/// searched for all objects as well, or when the place matches the reference again. Instances that
+/// were seen meanwhile were not compared with it.
 void FrameSearch::search_hidden() {
-  const std::vector<Instance> before = std::exchange(memory_.hidden, {});
+  std::vector<Instance> before = std::exchange(memory_.hidden, {});
+  best_first(before);
   for (const auto& one : before) {
-    const bool changing = memory_.changes.touches(one.box());
-    const bool found = (!changing || is_settled(one.box())) && find_again(one, before);
-    if (changing && !found) memory_.hidden.push_back(one);
+    if (is_in_motion(one.box()))
+      memory_.hidden.push_back(one);
+    else if (find_again(one, before))
+      memory_.objects.at(one.match.name).urgent = true;
   }
 }
 
@@ -214,13 +239,14 @@ bool FrameSearch::find_again(const Instance& one, const std::vector<Instance>& b
 /// Periodically searches the whole image for one object after the other; for an object that was
 /// found at a new place it does so at once, to find its competitors.
 void FrameSearch::sweep() {
-  const std::string next = memory_.objects.next_to_sweep();
-  if (next.empty()) return;
+  if (memory_.objects.all().empty()) return;
   const double turn = config_.sweep_time / static_cast<double>(memory_.objects.all().size());
-  const bool due = stamp_ - memory_.last_sweep >= turn;
-  const bool urgent = memory_.objects.at(next).urgent && search_.spent() < config_.max_search_cost;
-  if (due) memory_.last_sweep = stamp_;
-  if (due || urgent) sweep_for(next);
+  if (stamp_ - memory_.last_sweep >= turn) {
+    memory_.last_sweep = stamp_;
+    sweep_for(memory_.objects.longest_unswept());
+  }
+  const auto urgent = memory_.objects.most_urgent();
+  if (urgent && search_.spent() < config_.max_search_cost) sweep_for(*urgent);
 }
 
 void FrameSearch::sweep_for(const std::string& name) {
@@ -257,10 +283,11 @@ void FrameSearch::search_pending(Urgency least) {
 /// Log-odds are comparable only within one image, so the instances that a search of `region` for
 /// `name` is compared with are searched for in this image as well.
 void FrameSearch::search_uncompared(const std::string& name, const cv::Rect& region) {
-  const auto uncompared = memory_.instances.take([&](const Instance& one) {
+  auto uncompared = memory_.instances.take([&](const Instance& one) {
     return !one.match.fresh && one.match.name != name && one.others.count(name) == 0 &&
            is_within(touching(one.box(), name), region);
   });
+  best_first(uncompared);
   for (const auto& one : uncompared) find_again(one, uncompared);
 }
 

@@ -59,13 +59,18 @@ double ObjectSchedule::radius(const std::vector<std::string>& names) const {
   return radius;
 }
 
-std::string ObjectSchedule::next_to_sweep() const {
-  const auto next =
-      std::min_element(objects_.begin(), objects_.end(), [](const auto& a, const auto& b) {
-        return std::make_pair(!a.second.urgent, a.second.swept_at) <
-               std::make_pair(!b.second.urgent, b.second.swept_at);
-      });
-  return next == objects_.end() ? std::string() : next->first;
+std::string ObjectSchedule::longest_unswept() const {
+  return std::min_element(
+             objects_.begin(), objects_.end(),
+             [](const auto& a, const auto& b) { return a.second.swept_at < b.second.swept_at; })
+      ->first;
+}
+
+std::optional<std::string> ObjectSchedule::most_urgent() const {
+  std::optional<std::string> most;
+  for (const auto& [name, object] : objects_)
+    if (object.urgent && (!most || object.swept_at < at(*most).swept_at)) most = name;
+  return most;
 }
 
 std::vector<std::string> ObjectSchedule::unavailable() const {

@@ -4,6 +4,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -41,9 +42,11 @@ class ObjectSchedule {
   /// Radius [px] of the largest of these objects.
   double radius(const std::vector<std::string>& names) const;
 
-  /// The object to search the whole image for next: urgent ones first, then the one whose last such
-  /// search is the longest ago. "" if there is none.
-  std::string next_to_sweep() const;
+  /// The object whose last search of the whole image is the longest ago. There must be one.
+  std::string longest_unswept() const;
+
+  /// The same among the urgent ones; none if there is none.
+  std::optional<std::string> most_urgent() const;
 
   /// Requested objects that cannot be searched for.
   std::vector<std::string> unavailable() const;

@@ -73,14 +73,14 @@ bool has_jumped(const std::deque<Pose2D>& poses, const cv::Matx33d& covariance) 
   return false;
 }
 
-/// Part of the covariance that remains after averaging `count` images; the scatter is estimated
-/// from all three coordinates together.
+/// Part of the covariance that remains after averaging `count` images: only what scatters from
+/// image to image is averaged. The scatter is estimated from all three coordinates together.
 double remaining_share(const cv::Matx33d& covariance, const cv::Vec3d& scatter, double count) {
   double random = 0;
   for (int i = 0; i < 3; ++i)
     if (covariance(i, i) > 0)
       random += std::min(kMostVarianceRatio, scatter[i] / covariance(i, i)) / 3;
-  return std::max(1 / count, 1 - random * (1 - 1 / count));
+  return std::max(0.0, 1 - random) + random / count;
 }
 
 /// The match at another pose nearby, with its outline.

@@ -55,13 +55,20 @@ void InstanceTracker::interrupt() {
 }
 
 void InstanceTracker::reset() {
+  for (const auto& track : tracks_) release(track, last_stamp_);
   tracks_.clear();
-  released_.clear();
   best_.clear();
 }
 
+void InstanceTracker::release(const Track& track, double stamp) {
+  released_.push_back({track.last.match.name, track.last.frame_index, stamp});
+}
+
 std::vector<TrackedMatch> InstanceTracker::update(double stamp, const std::vector<Match>& matches) {
-  if (stamp < last_stamp_) reset();
+  if (stamp < last_stamp_) {
+    reset();
+    released_.clear();
+  }
   last_stamp_ = stamp;
   drop_lost(stamp);
   const std::vector<Track*> continued = associate(stamp, matches);
@@ -202,8 +209,7 @@ void InstanceTracker::drop_lost(double stamp) {
   const auto lost = std::stable_partition(tracks_.begin(), tracks_.end(), [&](const Track& track) {
     return track.missed < config_.confirm_window || is_held(track, stamp);
   });
-  for (auto track = lost; track != tracks_.end(); ++track)
-    released_.push_back({track->last.match.name, track->last.frame_index, stamp});
+  for (auto track = lost; track != tracks_.end(); ++track) release(*track, stamp);
   tracks_.erase(lost, tracks_.end());
   released_.erase(std::remove_if(released_.begin(), released_.end(),
                                  [&](const ReleasedFrame& frame) {
