@@ -1,6 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keeps the objects that are in view as obstacles in MoveIt's planning scene: outline by height."""
+"""Keeps detected objects as obstacles in MoveIt's planning scene: outline by height.
+
+Every detection with a pose is an obstacle, whether it may be grasped or not. It is removed when it has been absent
+for GONE_AFTER, because an arm may hide it while it passes.
+"""
 import cv2
 import numpy
 import rospy
@@ -10,6 +14,7 @@ from shape_msgs.msg import Mesh, MeshTriangle
 
 from mbncc_vision.msg import DetectedObject, DetectedObjectArray
 
+GONE_AFTER = rospy.Duration(5)
 UPRIGHT = Pose(orientation=Quaternion(w=1))
 
 
@@ -29,22 +34,24 @@ def prism(footprint):
 
 class PlanningScene:
     def __init__(self):
-        self.known = set()
+        self.last_seen = {}  # stamp by obstacle
         self.scene = rospy.Publisher("collision_object", CollisionObject, queue_size=10)
         rospy.Subscriber("detected_objects", DetectedObjectArray, self.on_detections, queue_size=1)
 
     def on_detections(self, array):
         if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
-            return  # an object that is not visible stays an obstacle
-        seen = {"%s_%d" % (found.name, found.instance_id): found for found in array.objects
-                if found.state == DetectedObject.CONFIRMED and found.pose_valid and found.footprint.points}
-        for name in self.known - set(seen):
-            self.scene.publish(CollisionObject(header=array.header, id=name, operation=CollisionObject.REMOVE))
-        for name, found in seen.items():
+            return
+        for found in array.objects:
+            if found.state == DetectedObject.HELD or not found.pose_valid or not found.footprint.points:
+                continue
+            name = "%s_%d" % (found.name, found.instance_id)
+            self.last_seen[name] = array.header.stamp
             self.scene.publish(CollisionObject(
                 header=array.header, id=name, pose=found.pose.pose, operation=CollisionObject.ADD,
                 meshes=[prism(found.footprint.points)], mesh_poses=[UPRIGHT]))
-        self.known = set(seen)
+        for name in [name for name, seen in self.last_seen.items() if array.header.stamp - seen > GONE_AFTER]:
+            del self.last_seen[name]
+            self.scene.publish(CollisionObject(header=array.header, id=name, operation=CollisionObject.REMOVE))
 
 
 if __name__ == "__main__":

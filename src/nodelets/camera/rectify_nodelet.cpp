@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "mbncc/config/rectify_config.hpp"
+#include "mbncc/error.hpp"
 #include "nodelets/camera/rectified_view.hpp"
 #include "nodelets/camera/rectifier.hpp"
 #include "nodelets/common/camera_input.hpp"
@@ -31,6 +32,10 @@ class RectifyNodelet : public GuardedNodelet {
  private:
   void start() override {
     read_parameters(private_node(), field_rows(config_));
+    if (config_.rectified && !config_.top_view)
+      throw ConfigError(
+          "the images are rectified already: start the cell with rectify:=false, or with "
+          "rectified:=false if they are not");
     camera_ = std::make_unique<CameraInput>(
         node(), CameraInputConfig{config_.images.image_transport, config_.max_info_age},
         [this](const sensor_msgs::ImageConstPtr& message) { mailbox_.put(message); });

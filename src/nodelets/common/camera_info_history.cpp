@@ -40,6 +40,17 @@ void CameraInfoHistory::add(const CameraInfoConstPtr& info, Clock::time_point no
   if (received_.size() > kMostStored) received_.pop_front();
 }
 
+void CameraInfoHistory::clear() {
+  received_.clear();
+  paired_ = false;
+}
+
+bool CameraInfoHistory::is_awaited(const ros::Time& stamp) const {
+  return paired_ && std::all_of(received_.begin(), received_.end(), [&](const Received& received) {
+           return received.info->header.stamp < stamp;
+         });
+}
+
 bool CameraInfoHistory::has_expired(const Received& received, Clock::time_point now) const {
   return now - received.at > max_age_;
 }
@@ -49,7 +60,7 @@ CameraInfoConstPtr CameraInfoHistory::newest(Clock::time_point now) const {
 }
 
 CameraInfoConstPtr CameraInfoHistory::of_image(const std_msgs::Header& header, cv::Size size,
-                                               Clock::time_point now) const {
+                                               Clock::time_point now) {
   std::vector<CameraInfoConstPtr> fitting;
   for (const auto& received : received_)
     if (!has_expired(received, now) && received.info->header.frame_id == header.frame_id &&
@@ -58,7 +69,12 @@ CameraInfoConstPtr CameraInfoHistory::of_image(const std_msgs::Header& header, c
   const auto exact = std::find_if(
       fitting.rbegin(), fitting.rend(),
       [&](const CameraInfoConstPtr& info) { return info->header.stamp == header.stamp; });
+  // An image given with a goal may be older than all of them.
+  const bool is_live = !fitting.empty() && header.stamp > fitting.front()->header.stamp;
+  const bool was_paired = is_live && paired_;
+  if (exact != fitting.rend() || is_live) paired_ = exact != fitting.rend();
   if (exact != fitting.rend()) return *exact;
+  if (was_paired) return nullptr;
   const auto after = std::find_if(
       fitting.begin(), fitting.end(),
       [&](const CameraInfoConstPtr& info) { return info->header.stamp > header.stamp; });

@@ -10,7 +10,8 @@ namespace mbncc::nodelets {
 namespace {
 
 constexpr std::chrono::seconds kImageTimeout{5};  // longest gap between images
-constexpr std::uint32_t kWaitingInfos = 10;       // calibrations that may wait for the callback
+constexpr std::chrono::milliseconds kInfoWait{50};
+constexpr std::uint32_t kWaitingInfos = 10;  // calibrations that may wait for the callback
 
 std::string nobody_publishes(const std::string& topic) {
   return "no publisher of images on " + topic + "; start the camera, or check the image topic";
@@ -40,11 +41,12 @@ void CameraInput::unsubscribe() {
     const std::lock_guard<std::mutex> lock(mutex_);
     std::swap(images, images_);
     std::swap(infos, infos_);
-    history_.clear();
   }
   // Waits for a running callback, which may be waiting for the mutex.
   images.shutdown();
   infos.shutdown();
+  const std::lock_guard<std::mutex> lock(mutex_);
+  history_.clear();
 }
 
 void CameraInput::subscribe() {
@@ -53,6 +55,7 @@ void CameraInput::subscribe() {
       "camera_info", kWaitingInfos, [this](const sensor_msgs::CameraInfoConstPtr& info) {
         const std::lock_guard<std::mutex> info_lock(mutex_);
         history_.add(info);
+        info_received_.notify_all();
       });
   image_received_ = Clock::now();
   if (transport_fault_.empty()) subscribe_to_images();
@@ -99,8 +102,9 @@ sensor_msgs::CameraInfoConstPtr CameraInput::camera_info() const {
 }
 
 sensor_msgs::CameraInfoConstPtr CameraInput::camera_info_for(const std_msgs::Header& header,
-                                                             cv::Size size) const {
-  const std::lock_guard<std::mutex> lock(mutex_);
+                                                             cv::Size size) {
+  std::unique_lock<std::mutex> lock(mutex_);
+  info_received_.wait_for(lock, kInfoWait, [&] { return !history_.is_awaited(header.stamp); });
   return history_.of_image(header, size);
 }
 

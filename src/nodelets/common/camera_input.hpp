@@ -8,6 +8,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <chrono>
+#include <condition_variable>
 #include <functional>
 #include <mutex>
 #include <opencv2/core.hpp>
@@ -52,9 +53,9 @@ class CameraInput {
   sensor_msgs::CameraInfoConstPtr camera_info() const;
 
   /// The calibration of an image with this header and size, as CameraInfoHistory::of_image() finds
-  /// it; null if there is none.
-  sensor_msgs::CameraInfoConstPtr camera_info_for(const std_msgs::Header& header,
-                                                  cv::Size size) const;
+  /// it; null if there is none. Waits up to 50 ms for it, because drivers publish the image first.
+  /// Do not call this on the thread that receives calibrations.
+  sensor_msgs::CameraInfoConstPtr camera_info_for(const std_msgs::Header& header, cv::Size size);
 
  private:
   using Clock = std::chrono::steady_clock;
@@ -70,6 +71,7 @@ class CameraInput {
   const Callback callback_;
   std::mutex switching_;  // guards active_; locked before mutex_, and never in an image callback
   bool active_ = false;
+  std::condition_variable info_received_;
   mutable std::mutex mutex_;  // guards the members below
   std::string transport_fault_;
   image_transport::Subscriber images_;

@@ -24,7 +24,7 @@ Eigen::Isometry3d in_base(const Calibration& calibration, const PlatformPose& ob
 }  // namespace
 
 LessonGauge::LessonGauge(const PlatformConfig& config, const std::string& gripper_frame,
-                         const CameraInput& camera, const tf2_ros::Buffer& tf)
+                         CameraInput& camera, const tf2_ros::Buffer& tf)
     : config_(config), camera_(camera), tf_(tf), mark_(tf, gripper_frame) {}
 
 void LessonGauge::mark(const std_msgs::Header& newest_image) {

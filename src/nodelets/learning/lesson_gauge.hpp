@@ -30,8 +30,8 @@ struct LessonMeasures {
 class LessonGauge {
  public:
   /// `camera` and `tf` must outlive this object.
-  LessonGauge(const PlatformConfig& config, const std::string& gripper_frame,
-              const CameraInput& camera, const tf2_ros::Buffer& tf);
+  LessonGauge(const PlatformConfig& config, const std::string& gripper_frame, CameraInput& camera,
+              const tf2_ros::Buffer& tf);
 
   /// Stores the gripper's current pose until a lesson is stored. Throws std::runtime_error with a
   /// message if it cannot become a grasp.
@@ -54,7 +54,7 @@ class LessonGauge {
 
  private:
   const PlatformConfig config_;
-  const CameraInput& camera_;
+  CameraInput& camera_;
   const tf2_ros::Buffer& tf_;
   GraspMark mark_;
 };

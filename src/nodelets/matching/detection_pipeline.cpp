@@ -41,11 +41,34 @@ std::string advice_on_distortion(const Calibration& calibration) {
   return text.str();
 }
 
+/// Removes frames that would have the name of another object's frame: object_part_2 belongs to
+/// instance 2 of 'part' or to an object 'part_2'. Returns a message about one; "" if there is none.
+std::string remove_shared_frames(DetectedObjectArray& array, const LibrarySnapshot& library) {
+  std::string fault;
+  const auto is_known = [&](const std::string& name, const DetectedObject& object) {
+    if (!library.find(name)) return false;
+    fault = "frames of '" + object.name + "' are not sent, because they would have the names of " +
+            "those of '" + name + "'; rename one of the two";
+    return true;
+  };
+  for (auto& object : array.objects) {
+    if (object.child_frame_id.empty()) continue;
+    const std::string numbered =
+        object.name + object.child_frame_id.substr(object.child_frame_id.rfind('_'));
+    const bool shared = is_known(numbered, object);
+    const bool grasp_shared = object.has_grasp && (is_known(object.name + "_grasp", object) ||
+                                                   is_known(numbered + "_grasp", object));
+    if (shared || grasp_shared) object.child_frame_id.clear();
+    if (grasp_shared) object.stable_frame_id.clear();
+  }
+  return fault;
+}
+
 /// Sets the status that is most important for a controller: a pose that is not in metres or is in a
 /// wrong frame would move an arm wrongly, whereas objects that were not searched are only missed.
 void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
                 const Calibration& calibration, const SearchResult& result,
-                const std::string& target_fault) {
+                const std::string& target_fault, const std::string& frame_fault) {
   if (!any_enabled(library)) {
     array.status = DetectedObjectArray::LIBRARY_EMPTY;
     array.message = "no enabled object in the library; teach one";
@@ -63,7 +86,8 @@ void set_status(DetectedObjectArray& array, const LibrarySnapshot& library,
     array.message = !result.limited.empty()
                         ? "max_instances reached by " + result.limited.front() +
                               "; there may be more instances, raise max_instances"
-                        : advice_on_distortion(calibration);
+                    : !frame_fault.empty() ? frame_fault
+                                           : advice_on_distortion(calibration);
   }
 }
 
@@ -167,8 +191,9 @@ Detections DetectionPipeline::describe(const ReceivedImage& received,
                                 ? describe_held(match, model.get(), received, calibration)
                                 : describe(match, model.get(), calibration));
   }
+  const std::string frame_fault = remove_shared_frames(array, *detections.library);
   const std::string target_fault = to_target_frame(array);
-  set_status(array, *detections.library, calibration, result, target_fault);
+  set_status(array, *detections.library, calibration, result, target_fault, frame_fault);
   return detections;
 }
 

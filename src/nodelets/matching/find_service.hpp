@@ -26,7 +26,7 @@ struct FindTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
   const tf2_ros::Buffer& tf;
-  const CameraInput& camera;
+  CameraInput& camera;
   ImageWait& images;
   /// Called when live images become needed or unneeded.
   std::function<void()> wants_changed;

@@ -217,7 +217,7 @@ void MatchingNodelet::apply_settings() {
 }
 
 void MatchingNodelet::on_roi(const sensor_msgs::RegionOfInterest& roi) {
-  const std::string text = roi.width == 0 || roi.height == 0
+  const std::string text = roi.width == 0 && roi.height == 0
                                ? ""
                                : std::to_string(roi.x_offset) + "," + std::to_string(roi.y_offset) +
                                      "," + std::to_string(roi.width) + "," +

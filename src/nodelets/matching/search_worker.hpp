@@ -26,7 +26,7 @@ struct SearchTools {
   const LiveSettings& settings;
   const LiveMatcher& matcher;
   ImageSearch& pipeline;
-  const CameraInput& camera;
+  CameraInput& camera;
   DetectionPublisher& publisher;
 };
 

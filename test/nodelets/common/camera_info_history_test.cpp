@@ -24,7 +24,7 @@ class CameraInfoHistoryTest : public testing::Test {
   }
 
   /// Focal length for an image stamped `stamp`; 0 if there is no calibration.
-  double of_image(double stamp, cv::Size size = kSize) const {
+  double of_image(double stamp, cv::Size size = kSize) {
     std_msgs::Header header;
     header.stamp.fromSec(stamp);
     header.frame_id = "camera";
@@ -52,6 +52,21 @@ TEST_F(CameraInfoHistoryTest, WithoutItsStampTheNeighboursMustBeEqual) {
   EXPECT_EQ(of_image(2.5), 0) << "the lens was changed at about its stamp";
   EXPECT_EQ(of_image(3.5), 0) << "the next image may differ as well";
   EXPECT_EQ(of_image(4.5), 700);
+}
+
+TEST_F(CameraInfoHistoryTest, AnImageThatShouldHaveItsOwnCalibrationGetsNoOther) {
+  receive(1, 500);
+  receive(2, 500);
+  EXPECT_FALSE(history_.is_awaited(ros::Time(3))) << "not known to come with the images";
+  EXPECT_EQ(of_image(2), 500);
+  EXPECT_TRUE(history_.is_awaited(ros::Time(3)));
+  EXPECT_FALSE(history_.is_awaited(ros::Time(2)));
+  EXPECT_EQ(of_image(0.5), 500) << "an older image, given with a goal";
+  EXPECT_EQ(of_image(3), 0) << "it may have changed";
+  EXPECT_FALSE(history_.is_awaited(ros::Time(4))) << "they no longer come with the images";
+  EXPECT_EQ(of_image(4), 500);
+  history_.clear();
+  EXPECT_FALSE(history_.is_awaited(ros::Time(5)));
 }
 
 TEST_F(CameraInfoHistoryTest, ACalibrationWithNanIsEqualToItself) {

@@ -163,6 +163,25 @@ TEST_F(DetectionPipelineTest, PosesAreInTheTargetFrameAsItWasAtTheImagesStamp) {
   EXPECT_EQ(array.objects[0].child_frame_id, "object_angle_0");
 }
 
+TEST_F(DetectionPipelineTest, NoFrameHasTheNameOfAnotherObjectsFrame) {
+  const auto add = [&](const std::string& name) {
+    ObjectModel copy = *ObjectLibrary(folder_.path()).load()->find("angle");
+    copy.name = copy.label = name;
+    copy.enabled = false;
+    ObjectLibrary(folder_.path()).save(copy, ObjectLibrary::Existing::kRefuse);
+  };
+  add("angle_0");
+  DetectedObjectArray array = after(3);
+  ASSERT_EQ(array.objects.size(), 1u);
+  EXPECT_EQ(array.objects[0].state, DetectedObject::CONFIRMED);
+  EXPECT_EQ(array.objects[0].child_frame_id, "");
+  EXPECT_EQ(array.objects[0].stable_frame_id, "object_angle");
+  EXPECT_NE(array.message.find("'angle_0'"), std::string::npos) << array.message;
+  add("angle_grasp");
+  array = after(3);
+  EXPECT_EQ(array.objects[0].stable_frame_id, "") << "its grasp frame is object_angle_grasp";
+}
+
 TEST_F(DetectionPipelineTest, AHeldPoseStaysWhereItWasWhenTheCameraMoves) {
   config_.platform.platform_frame = "platform";
   config_.target_frame = "platform";

@@ -134,6 +134,14 @@ class CalibratePlatformTest(unittest.TestCase):
             self.assertEqual(done.returncode, 1)
             self.assertIn("distortion_model", done.stderr)
 
+    def test_a_rotated_rectification_is_only_for_rectified_images(self):
+        camera = yaml.safe_load(camera_yaml())
+        camera["rectification_matrix"] = {"data": cv2.Rodrigues(np.array([0, 0.02, 0]))[0].ravel().tolist()}
+        camera["projection_matrix"] = {"data": np.c_[MATRIX, np.zeros(3)].ravel().tolist()}
+        with self.assertRaisesRegex(calibrate_platform.Fault, "--rectified"):
+            calibrate_platform.Camera(camera, False)
+        calibrate_platform.Camera(camera, True)
+
     def test_region_and_binning_are_those_of_the_sensor(self):
         camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)
         roi = types.SimpleNamespace(x_offset=100, y_offset=40, width=401, height=300)

@@ -46,6 +46,12 @@ class Rectified(unittest.TestCase):
         self.expect(True, "cell.launch", "rectify:=true")
         self.expect(True, "cell.launch", "camera:=false", "rectify:=true", "image:=/front/image_raw")
 
+    def test_raw_images_that_are_rectified_here_are_searched_as_rectified(self):
+        for rectified in ("true", "false"):
+            self.expect(True, "cell.launch", "rectify:=true", "rectified:=" + rectified)
+        for expected, argument in ((True, "image:=/cam/image_rect"), (True, "rectified:=true"), (False, "image:=/cam/image_raw")):
+            self.assertIs(parameters("cell.launch", "camera:=false", "rectify:=true", argument)["/rectify/rectified"], expected)
+
     def test_other_images_are_recognised_by_their_topic(self):
         self.expect(False, "cell.launch", "camera:=false", "image:=/front/image_color")
         self.expect(True, "cell.launch", "camera:=false", "image:=/front/image_rect")
