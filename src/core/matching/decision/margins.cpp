@@ -7,6 +7,7 @@ namespace mbncc::decision {
 namespace {
 
 constexpr double kOtherAngle = to_radians(10);
+constexpr double kDisplaced = 3;  // [px]
 
 /// Angle [rad] of the object frame, which all views of the object share.
 double object_angle(const Detection& detection) {
@@ -15,6 +16,17 @@ double object_angle(const Detection& detection) {
 
 bool same_object(const Detection& a, const Detection& b) {
   return a.object == b.object;
+}
+
+bool turned(const Detection& a, const Detection& b) {
+  return angle_distance(object_angle(a), object_angle(b), b.view->symmetry) > kOtherAngle;
+}
+
+/// Whether both the anchors and the reference points lie apart. At equivalent angles of a symmetric
+/// object, or in two of its views, only one of them may.
+bool displaced(const Detection& a, const Detection& b) {
+  return cv::norm(a.pose.position() - b.pose.position()) >= kDisplaced &&
+         cv::norm(object_pose(a).position() - object_pose(b).position()) >= kDisplaced;
 }
 
 /// The best detection other than `detection` for which `competes` holds; null: none. `competes` is
@@ -45,49 +57,49 @@ bool overlapping(const Detection& a, const Detection& b, double most) {
   return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
 }
 
-const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all,
-                                 double max_overlap) {
+const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all) {
   return best_competitor(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) &&
-           angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry) >
-               kOtherAngle &&
-           overlapping(detection, other, max_overlap);
+    return same_object(other, detection) && turned(other, detection) &&
+           overlapping(detection, other);
   });
 }
 
-double angle_margin(const Detection& detection, const std::vector<Detection>& all,
-                    double max_overlap) {
-  return margin_to(detection, competing_angle(detection, all, max_overlap));
+double angle_margin(const Detection& detection, const std::vector<Detection>& all) {
+  return margin_to(detection, competing_angle(detection, all));
 }
 
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
-                       const std::map<std::string, double>& elsewhere, double max_overlap) {
-  const double margin = margin_to(
-      detection, best_competitor(detection, all, [&](const Detection& other) {
-        return same_object(other, detection) && !overlapping(detection, other, max_overlap);
-      }));
+                       const std::map<std::string, double>& elsewhere) {
+  const double margin =
+      margin_to(detection, best_competitor(detection, all, [&](const Detection& other) {
+                  return same_object(other, detection) && !overlapping(detection, other);
+                }));
   const auto best = elsewhere.find(detection.object->name);
   return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds() - best->second);
 }
 
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
-                                 const std::vector<const Detection*>& accepted,
-                                 double max_overlap) {
+                                 const std::vector<const Detection*>& accepted) {
   const auto explained = [&](const Detection& other) {
     return std::any_of(accepted.begin(), accepted.end(), [&](const Detection* one) {
-      return one == &other || overlapping(other, *one, max_overlap);
+      return one == &other || overlapping(other, *one);
     });
   };
   return best_competitor(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) && !overlapping(detection, other, max_overlap) &&
-           !explained(other);
+    return same_object(other, detection) && !overlapping(detection, other) && !explained(other);
   });
 }
 
-const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
-                                  double max_overlap) {
+const Detection* competing_shift(const Detection& detection, const std::vector<Detection>& all) {
   return best_competitor(detection, all, [&](const Detection& other) {
-    return !same_object(other, detection) && overlapping(detection, other, max_overlap);
+    return same_object(other, detection) && displaced(other, detection) &&
+           !turned(other, detection) && overlapping(detection, other);
+  });
+}
+
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all) {
+  return best_competitor(detection, all, [&](const Detection& other) {
+    return !same_object(other, detection) && overlapping(detection, other);
   });
 }
 

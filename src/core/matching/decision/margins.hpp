@@ -16,30 +16,34 @@ constexpr double kNoCompetitor = 20;
 /// Log-odds of `other` as a competitor of `detection`, see LogOdds::of_competitor().
 double log_odds_against(const Detection& detection, const Detection& other);
 
+/// Overlap of two maps [0..1] of the smaller one from which on they compete for one place.
+constexpr double kOnePlace = 0.25;
+
 /// Whether two detections overlap by more than `most` [0..1] of the smaller map.
-bool overlapping(const Detection& a, const Detection& b, double most);
+bool overlapping(const Detection& a, const Detection& b, double most = kOnePlace);
 
 /// The best other rotation of the same object at the detection's place; null: none.
-const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all,
-                                 double max_overlap);
+const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all);
 
 /// Margin to the best other rotation of the same object at the detection's place, negative if that
 /// rotation is better.
-double angle_margin(const Detection& detection, const std::vector<Detection>& all,
-                    double max_overlap);
+double angle_margin(const Detection& detection, const std::vector<Detection>& all);
 
 /// Margin to the best other place of the same object, including accepted instances. `elsewhere`:
 /// see SearchRequest.
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
-                       const std::map<std::string, double>& elsewhere, double max_overlap);
+                       const std::map<std::string, double>& elsewhere);
 
 /// The best other place of the same object that does not belong to an accepted instance; null:
 /// none.
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
-                                 const std::vector<const Detection*>& accepted, double max_overlap);
+                                 const std::vector<const Detection*>& accepted);
+
+/// The best pose of the same object at the same angle that overlaps the detection but is displaced
+/// by 3 px or more, as by one pitch of a periodic part whose end is hidden; null: none.
+const Detection* competing_shift(const Detection& detection, const std::vector<Detection>& all);
 
 /// The best detection of another object at the detection's place; null: none.
-const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all,
-                                  double max_overlap);
+const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all);
 
 }  // namespace mbncc::decision

@@ -51,11 +51,10 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever)
 
 /// Sets the calibration of all detections from their margins, before any of them is accepted.
 void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
-  const double max_overlap = acceptance.config.max_overlap;
   for (auto& detection : detections)
     detection.odds.calibration =
-        calibration(detection, angle_margin(detection, detections, max_overlap),
-                    instance_margin(detection, detections, acceptance.elsewhere, max_overlap));
+        calibration(detection, angle_margin(detection, detections),
+                    instance_margin(detection, detections, acceptance.elsewhere));
 }
 
 /// `other` as a competitor of `match`, which was made from `detection`, with log-odds comparable to
@@ -81,11 +80,11 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.score = acceptance_score(detection, config);
   match.odds = detection.odds;
   match.similarity = detection.similarity;
-  for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
-                                 competing_object(detection, all, config.max_overlap)})
+  for (const Detection* other : {competing_place(detection, all, accepted),
+                                 competing_shift(detection, all), competing_object(detection, all)})
     if (other) match.competitors.push_back(competitor_of(match, detection, *other));
-  match.margin_angle = angle_margin(detection, all, config.max_overlap);
-  if (const Detection* turned = competing_angle(detection, all, config.max_overlap))
+  match.margin_angle = angle_margin(detection, all);
+  if (const Detection* turned = competing_angle(detection, all))
     match.other_angle = object_pose(*turned).theta;
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
@@ -133,7 +132,7 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   const auto is_other_instance = [&](const Detection& one) {
     return !is_asked_for(one) &&
            std::none_of(detections.begin(), detections.end(), [&](const Detection& other) {
-             return is_asked_for(other) && overlapping(one, other, acceptance.config.max_overlap);
+             return is_asked_for(other) && overlapping(one, other);
            });
   };
   accept(detections, acceptance, std::numeric_limits<int>::max(), is_other_instance, accepted);
