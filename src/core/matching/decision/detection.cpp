@@ -7,8 +7,10 @@
 namespace mbncc::decision {
 
 bool at_one_place(const Detection& a, const Detection& b) {
-  constexpr double kApart = 0.4;  // [radii] largest distance of one place
-  return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius();
+  constexpr double kApart = 0.4;     // [radii] largest distance of one place
+  constexpr double kOverlap = 0.25;  // least overlap; long parts side by side lie at two places
+  return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius() &&
+         templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOverlap;
 }
 
 cv::Point2d lever_of(const Detection& detection) {
