@@ -52,7 +52,8 @@ class ObjectLibrary {
   /// Objects whose file has not changed since the last load keep their pointer.
   std::shared_ptr<const LibrarySnapshot> load();
 
-  /// True if a file was added, changed or removed since the last load() of this instance.
+  /// True if a file was added, changed or removed since the last load() of this instance, or if one
+  /// that could not be read then can be read now.
   bool changed_on_disk() const;
 
   /// Writes 1 MB durably and removes it again, to check before a lesson that its result can be

@@ -20,6 +20,12 @@ class ContentError : public FileError {
   using FileError::FileError;
 };
 
+/// A file of a newer version of this package.
+class NewerFileError : public FileError {
+ public:
+  using FileError::FileError;
+};
+
 /// Text of an errno code, such as "No space left on device".
 std::string errno_text(int code);
 

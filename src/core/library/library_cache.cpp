@@ -26,9 +26,9 @@ std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::Library
   for (const auto& file : library::object_files(folder)) {
     const auto entry = load_file(folder, file, *snapshot);
     if (!entry) continue;
-    if (entry->object)
+    if (entry->state == State::kObject)
       snapshot->objects.push_back(entry->object);
-    else if (entry->other_image)
+    else if (entry->state == State::kOtherImage)
       snapshot->other_images.push_back(file);
     else
       snapshot->quarantined.push_back({file, entry->reason, false});
@@ -42,26 +42,35 @@ std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::Library
 std::optional<LibraryCache::Entry> LibraryCache::load_file(const library::LibraryFolder& folder,
                                                            const std::string& file,
                                                            LibrarySnapshot& snapshot) const {
-  const std::string path = folder.path + "/" + file;
-  const auto stamp = library::stamp_of(path);
+  const auto stamp = library::stamp_of(folder.path + "/" + file);
   if (!stamp) return std::nullopt;
   const auto known = entries_.find(file);
-  if (known != entries_.end() && known->second.stamp == *stamp) return known->second;
+  const bool is_known = known != entries_.end() && known->second.stamp == *stamp &&
+                        known->second.state != State::kUncertain;
+  if (is_known) return known->second;
+  const Entry entry = read(folder, file, *stamp);
+  if (entry.state == State::kUncertain && !library::path_exists(folder.path + "/" + file))
+    return std::nullopt;
+  if (entry.state != State::kDamaged || !move_to_quarantine(folder, file)) return entry;
+  snapshot.quarantined.push_back({file, entry.reason, true});
+  return std::nullopt;
+}
+
+LibraryCache::Entry LibraryCache::read(const library::LibraryFolder& folder,
+                                       const std::string& file, const library::FileStamp& stamp) {
+  const std::string path = folder.path + "/" + file;
   try {
     library::check_file_name(folder, file);
-    const library::FileContent content =
-        library::read_regular_file(path, library::PngLimits::kMaxBytes);
-    return Entry{content.stamp,
-                 std::make_shared<const ObjectModel>(decode_object(content.bytes, path)), "",
-                 false};
+    const auto content = library::read_regular_file(path, library::PngLimits::kMaxBytes);
+    auto object = std::make_shared<const ObjectModel>(decode_object(content.bytes, path));
+    return {content.stamp, State::kObject, "", std::move(object)};
   } catch (const library::ContentError& error) {
-    if (library::is_other_image(path)) return Entry{*stamp, nullptr, "", true};
-    if (!move_to_quarantine(folder, file)) return Entry{*stamp, nullptr, error.reason(), false};
-    snapshot.quarantined.push_back({file, error.reason(), true});
-    return std::nullopt;
+    if (library::is_other_image(path)) return {stamp, State::kOtherImage, "", nullptr};
+    return {stamp, State::kDamaged, error.reason(), nullptr};
+  } catch (const library::NewerFileError& error) {
+    return {stamp, State::kNewer, error.reason(), nullptr};
   } catch (const FileError& error) {
-    if (!library::path_exists(path)) return std::nullopt;
-    return Entry{*stamp, nullptr, error.reason(), false};
+    return {stamp, State::kUncertain, error.reason(), nullptr};
   }
 }
 
@@ -72,6 +81,9 @@ bool LibraryCache::is_stale(const library::LibraryFolder& folder) const {
     const auto known = entries_.find(file);
     const auto stamp = library::stamp_of(folder.path + "/" + file);
     if (known == entries_.end() || !stamp || !(known->second.stamp == *stamp)) return true;
+    if (known->second.state == State::kUncertain &&
+        read(folder, file, *stamp).state != State::kUncertain)
+      return true;
   }
   return false;
 }

@@ -16,17 +16,21 @@ class LibraryCache {
   /// Reads new and changed files and quarantines unreadable ones.
   std::shared_ptr<const LibrarySnapshot> load(const library::LibraryFolder& folder);
 
-  /// True if the folder differs from what was last loaded.
+  /// True if the folder differs from what was last loaded, or a passing fault has passed.
   bool is_stale(const library::LibraryFolder& folder) const;
 
  private:
+  // What a file holds; valid until it changes, except kUncertain: the fault may pass by itself.
+  enum class State { kObject, kOtherImage, kNewer, kDamaged, kUncertain };
   struct Entry {
     library::FileStamp stamp;
-    std::shared_ptr<const ObjectModel> object;  // null: unreadable and left in place
+    State state;
     std::string reason;                         // why it is unreadable
-    bool other_image = false;                   // an image of the user, not an object
+    std::shared_ptr<const ObjectModel> object;  // only of kObject
   };
 
+  static Entry read(const library::LibraryFolder& folder, const std::string& file,
+                    const library::FileStamp& stamp);
   std::optional<Entry> load_file(const library::LibraryFolder& folder, const std::string& file,
                                  LibrarySnapshot& snapshot) const;
 

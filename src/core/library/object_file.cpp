@@ -120,7 +120,7 @@ ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::str
   } catch (const cv::Exception& error) {
     throw FileError(path, error.what());
   } catch (const library::NewerFormat& error) {
-    throw FileError(path, error.what());
+    throw library::NewerFileError(path, error.what());
   } catch (const std::exception& error) {
     throw library::ContentError(path, error.what());
   }
