@@ -12,6 +12,7 @@
 #include "mbncc/config/rectify_config.hpp"
 #include "mbncc/config/simulated_camera_config.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/settled_file.hpp"
 
 namespace mbncc::test {
 namespace {
@@ -22,6 +23,12 @@ class LibraryCommands : public testing::Test {
 
   ToolRun on_library(const std::string& command, const std::vector<std::string>& words = {}) const {
     return run_tool(std::vector<std::string>{command, "--library", folder_.library()} + words);
+  }
+
+  void damage(const std::string& name) const {
+    const std::string file = folder_.library() + "/" + name + ".png";
+    std::ofstream(file) << "no image";
+    settle(file);
   }
 
   LessonFolder folder_;
@@ -106,7 +113,7 @@ TEST_F(LibraryCommands, ForgottenObjectsCanBeRestored) {
 
 TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
   EXPECT_EQ(on_library("check").code, 0);
-  std::ofstream(folder_.library() + "/broken.png") << "no image";
+  damage("broken");
   for (int round = 0; round < 2; ++round) {
     const ToolRun check = on_library("check");
     EXPECT_EQ(check.code, 1);
@@ -119,8 +126,7 @@ TEST_F(LibraryCommands, CheckReportsUnreadableFilesUntilTheyAreGone) {
 
 TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndReportsIt) {
   ASSERT_EQ(run_tool(folder_.lesson("part") + std::vector<std::string>{"--overwrite"}).code, 0);
-  for (const std::string name : {"part", "stranger"})
-    std::ofstream(folder_.library() + "/" + name + ".png") << "no image";
+  for (const char* name : {"part", "stranger"}) damage(name);
   const ToolRun check = on_library("check", {"--repair"});
   EXPECT_EQ(check.code, 1) << "the quarantine is not empty";
   EXPECT_TRUE(check.prints("brought 'part' from the trash as revision 2")) << check.out;
@@ -165,7 +171,7 @@ TEST_F(LibraryCommands, ImagesOfTheUserStayWhereTheyAre) {
 }
 
 TEST_F(LibraryCommands, CommandsWarnOfOtherUnreadableFiles) {
-  std::ofstream(folder_.library() + "/broken.png") << "no image";
+  damage("broken");
   const ToolRun list = on_library("list");
   EXPECT_EQ(list.code, 0);
   EXPECT_TRUE(list.says("broken.png")) << list.err;

@@ -13,6 +13,7 @@
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 using namespace mbncc;
@@ -54,6 +55,7 @@ void add_entry(const std::string& folder, fuzz::Pieces& pieces) {
                                           : pieces.text(pieces.byte() * std::size_t{4});
     std::ofstream(path, std::ios::binary) << content;
   }
+  test::settle(path);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -264,6 +265,8 @@ void add_mutant(const std::string& folder, Mutator& mutator, int number) {
     ::mkfifo(path.c_str(), 0644);
   else
     write(path, object_bytes(mutator));
+  // A file changed in the last seconds would not be quarantined yet.
+  fs::last_write_time(path, fs::file_time_type::clock::now() - std::chrono::minutes(1), ignored);
 }
 
 /// Puts the library's own folders and files into a state in which no library leaves them.

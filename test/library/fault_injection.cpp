@@ -27,6 +27,11 @@ bool goes_wrong(const char* call) {
   plan.calls.emplace_back(call);
   if (static_cast<int>(plan.calls.size()) - 1 != plan.at) return false;
   if (plan.die) ::_exit(9);
+  if (plan.meanwhile) {
+    plan.armed = false;
+    plan.meanwhile();
+    plan.armed = true;
+  }
   if (plan.error == 0) return false;
   errno = plan.error;
   return true;

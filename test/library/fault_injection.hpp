@@ -4,6 +4,8 @@
 #pragma once
 
 #include <sys/types.h>
+
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -12,11 +14,12 @@ namespace mbncc::test {
 
 struct FaultPlan {
   bool armed = false;
-  int at = -1;                     ///< index of the call that fails, from 0; -1: none
-  int error = 0;                   ///< errno that it reports
-  bool die = false;                ///< the process ends before the call instead
-  bool short_write = false;        ///< write() writes only one byte, without an error
-  std::vector<std::string> calls;  ///< names of the calls made while armed
+  int at = -1;                      ///< index of the call that fails, from 0; -1: none
+  int error = 0;                    ///< errno that it reports
+  bool die = false;                 ///< the process ends before the call instead
+  bool short_write = false;         ///< write() writes only one byte, without an error
+  std::function<void()> meanwhile;  ///< what another program does before that call
+  std::vector<std::string> calls;   ///< names of the calls made while armed
 
   // Unsynced changes by inode that would be lost in a power failure, and names given too early.
   std::set<ino_t> unsafe_data;     ///< files with bytes that are not synced

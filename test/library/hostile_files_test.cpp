@@ -17,6 +17,7 @@
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "support/sanitizers.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -280,6 +281,8 @@ TEST(HostileFiles, SpecialFilesAreQuarantined) {
   std::ofstream(folder / "bad name!.png") << "x";
   std::ofstream(folder / "sparse.png") << "x";
   std::filesystem::resize_file(folder / "sparse.png", std::uintmax_t{1} << 40);
+  for (const auto& entry : std::filesystem::directory_iterator(folder.path()))
+    settle(entry.path().string());
   const auto snapshot = library.load();
   EXPECT_EQ(snapshot->objects.size(), 1u);
   EXPECT_EQ(snapshot->quarantined.size(), 7u);
@@ -294,6 +297,7 @@ TEST(HostileFiles, QuarantineKeepsFilesOfOneNameApart) {
   ObjectLibrary library(folder.path());
   for (const char* content : {"first", "second"}) {
     std::ofstream(folder / "wrench.png") << content;
+    settle(folder / "wrench.png");
     library.load();
   }
   EXPECT_EQ(library.quarantine().size(), 2u);

@@ -14,6 +14,7 @@
 #include "library/models.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -216,6 +217,7 @@ TEST(LibraryFaults, QuarantinedFilesAreAlsoSynced) {
   TemporaryFolder folder;
   fill(folder.path());
   std::filesystem::resize_file(folder / "wrench.png", 100);
+  settle(folder / "wrench.png");
   {
     const ArmedFault recording({});
     ObjectLibrary(folder.path()).load();

@@ -18,6 +18,7 @@
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_library.hpp"
 #include "support/kills.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -101,6 +102,7 @@ TEST(LibraryProcesses, ReadersWithoutWritePermissionLoad) {
   TemporaryFolder folder;
   ObjectLibrary(folder.path()).save(random_model(1), Existing::kRefuse);
   std::ofstream(folder / "broken.png") << "not an image";
+  settle(folder / "broken.png");
   ::chmod(folder.path().c_str(), 0555);
   const pid_t child = in_process([&folder] {
     if (::geteuid() == 0 && ::setuid(kNobody) != 0) return false;  // root may write everywhere

@@ -10,6 +10,7 @@
 #include "library/models.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_file.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -141,8 +142,10 @@ TEST(ObjectLibrary, AFileNameWithARevisionIsNoSecondObject) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
-  for (const char* copy : {"wrench.1.png", "wrench..png", "wrench.png.png", "1wrench.png"})
+  for (const char* copy : {"wrench.1.png", "wrench..png", "wrench.png.png", "1wrench.png"}) {
     std::filesystem::copy(folder / "wrench.png", folder / copy);
+    settle(folder / copy);
+  }
   const auto snapshot = library.load();
   EXPECT_EQ(snapshot->objects.size(), 1u);
   ASSERT_EQ(snapshot->quarantined.size(), 4u);
@@ -190,6 +193,7 @@ TEST(ObjectLibrary, ALinkInPlaceOfTheTrashIsNotFollowed) {
   EXPECT_TRUE(refused([&] { library.restore("wrench"); }));
   EXPECT_TRUE(refused([&] { library.quarantine(); }));
   std::ofstream(folder / "broken.png") << "no image";
+  settle(folder / "broken.png");
   const auto snapshot = library.load();
   expect_equal(*snapshot->find("wrench"), random_model(1));
   ASSERT_EQ(snapshot->quarantined.size(), 1u);

@@ -14,6 +14,7 @@
 #include "mbncc/error.hpp"
 #include "mbncc/library/object_file.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -26,6 +27,7 @@ TEST(ObjectLibrary, UnreadableFilesAreQuarantinedAndTheRestLoads) {
   ObjectLibrary library(folder.path());
   library.save(random_model(1), Existing::kRefuse);
   std::ofstream(folder / "broken.png") << "not an image";
+  settle(folder / "broken.png");
   std::ofstream(folder / "notes.txt") << "not the library's concern";
   const auto snapshot = library.load();
   ASSERT_EQ(snapshot->objects.size(), 1u);
@@ -130,6 +132,8 @@ TEST(ObjectLibrary, DamagedImagesAndDamagedObjectsAreQuarantined) {
   // Valid as an image, but its description of an object is wrong.
   write(folder / "claim.png",
         library::encode_png(cv::Mat(9, 9, CV_8UC4, cv::Scalar::all(9)), "mbncc", "format: 1"));
+  for (const char* name : {"cut.png", "flipped.png", "object.png", "claim.png"})
+    settle(folder / name);
   const auto snapshot = library.load();
   EXPECT_TRUE(snapshot->other_images.empty());
   EXPECT_EQ(library.quarantine().size(), 4u);
@@ -139,6 +143,7 @@ TEST(ObjectLibrary, ReplacingAnUnreadableFileQuarantinesIt) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
   std::ofstream(folder / "wrench.png") << "not an image";
+  settle(folder / "wrench.png");
   library.save(random_model(1), Existing::kReplace);
   expect_equal(*library.load()->find("wrench"), random_model(1));
   EXPECT_EQ(library.quarantine().size(), 1u);

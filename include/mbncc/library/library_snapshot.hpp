@@ -15,7 +15,7 @@ struct QuarantinedFile {
   std::string file;    ///< name within the library folder
   std::string reason;  ///< one sentence
   bool moved = true;   ///< to `.quarantine/`; false: left in place (no permission, a newer format,
-                       ///< or an error unrelated to the file's content)
+                       ///< changed in the last seconds, or an error unrelated to its content)
 };
 
 /// Immutable snapshot of a library; may be shared between threads.

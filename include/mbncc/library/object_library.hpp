@@ -48,12 +48,13 @@ class ObjectLibrary {
   const std::string& folder() const { return folder_; }
 
   /// Reads all files, moves unreadable ones to `.quarantine/` with the reason and loads the others.
+  /// A file that was changed in the last seconds may be incomplete, so it is not moved yet.
   /// An intact PNG file that is not an object stays in place, and its name is not available.
   /// Objects whose file has not changed since the last load keep their pointer.
   std::shared_ptr<const LibrarySnapshot> load();
 
   /// True if a file was added, changed or removed since the last load() of this instance, or if one
-  /// that could not be read then can be read now.
+  /// that could not be read then can be read or quarantined now.
   bool changed_on_disk() const;
 
   /// Writes 1 MB durably and removes it again, to check before a lesson that its result can be

@@ -66,14 +66,16 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command check_command() {
-  return {"check",
-          "read every file of the library and report unreadable ones",
-          {library_option(),
-           {"--repair", "", "restore the newest revision of unreadable objects from the trash"}},
-          "",
-          "Unreadable files are moved to DIR/.quarantine, with their reasons. The exit code is 1\n "
-          "while any remain there.\n",
-          run};
+  return {
+      "check",
+      "read every file of the library and report unreadable ones",
+      {library_option(),
+       {"--repair", "", "restore the newest revision of unreadable objects from the trash"}},
+      "",
+      "Unreadable files are moved to DIR/.quarantine, with their reasons; those that changed in\n "
+      "the last five seconds stay, because they may still be being copied. The exit code is 1\n "
+      "while there are any.\n",
+      run};
 }
 
 }  // namespace mbncc::cli

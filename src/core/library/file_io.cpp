@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
+#include <ctime>
 #include <filesystem>
 #include <memory>
 #include <system_error>
@@ -16,6 +18,7 @@ namespace {
 
 constexpr mode_t kFileMode = 0644;
 constexpr mode_t kFolderMode = 0755;
+constexpr std::int64_t kRecent_ns = 5'000'000'000;  // longer than a copy pauses between two writes
 
 [[noreturn]] void fail(const std::string& path, const char* what, int code) {
   throw FileError(path, std::string(what) + ": " + errno_text(code));
@@ -119,6 +122,13 @@ FileStamp::FileStamp(const struct stat& status)
 bool FileStamp::operator==(const FileStamp& other) const {
   return device == other.device && inode == other.inode && size == other.size &&
          modified_ns == other.modified_ns && changed_ns == other.changed_ns;
+}
+
+// The clock of a file server may be slightly ahead.
+bool changed_recently(const FileStamp& stamp) {
+  timespec now{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  return std::abs(nanoseconds(now) - stamp.modified_ns) < kRecent_ns;
 }
 
 FileContent read_regular_file(const std::string& path, std::size_t max_bytes) {

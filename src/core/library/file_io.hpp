@@ -57,6 +57,10 @@ struct FileStamp {
   bool operator==(const FileStamp& other) const;
 };
 
+/// True if the file was changed in the last seconds, so that it may not be complete yet. False
+/// for a file dated further into the future: a wrong clock must not make it incomplete for ever.
+bool changed_recently(const FileStamp& stamp);
+
 struct FileContent {
   std::vector<std::uint8_t> bytes;
   FileStamp stamp;

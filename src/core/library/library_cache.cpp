@@ -6,19 +6,6 @@
 #include "mbncc/library/object_file.hpp"
 
 namespace mbncc {
-namespace {
-
-// Moves an unreadable file to the quarantine; false if this is not permitted.
-bool move_to_quarantine(const library::LibraryFolder& folder, const std::string& file) {
-  try {
-    library::LockedFolder(folder).quarantine_unreadable(file);
-    return true;
-  } catch (const FileError&) {
-    return false;
-  }
-}
-
-}  // namespace
 
 std::shared_ptr<const LibrarySnapshot> LibraryCache::load(const library::LibraryFolder& folder) {
   auto snapshot = std::make_shared<LibrarySnapshot>();
@@ -51,7 +38,13 @@ std::optional<LibraryCache::Entry> LibraryCache::load_file(const library::Librar
   const Entry entry = read(folder, file, *stamp);
   if (entry.state == State::kUncertain && !library::path_exists(folder.path + "/" + file))
     return std::nullopt;
-  if (entry.state != State::kDamaged || !move_to_quarantine(folder, file)) return entry;
+  if (entry.state != State::kDamaged) return entry;
+  try {
+    const bool moved = library::LockedFolder(folder).quarantine_unreadable(file, *stamp);
+    if (!moved) return read(folder, file, *stamp);  // another program has changed it meanwhile
+  } catch (const FileError&) {
+    return entry;  // moving it is not permitted
+  }
   snapshot.quarantined.push_back({file, entry.reason, true});
   return std::nullopt;
 }
@@ -66,6 +59,9 @@ LibraryCache::Entry LibraryCache::read(const library::LibraryFolder& folder,
     return {content.stamp, State::kObject, "", std::move(object)};
   } catch (const library::ContentError& error) {
     if (library::is_other_image(path)) return {stamp, State::kOtherImage, "", nullptr};
+    if (library::changed_recently(stamp))
+      return {stamp, State::kUncertain, error.reason() + " (it may still be being copied)",
+              nullptr};
     return {stamp, State::kDamaged, error.reason(), nullptr};
   } catch (const library::NewerFileError& error) {
     return {stamp, State::kNewer, error.reason(), nullptr};

@@ -132,11 +132,16 @@ LockedFolder::LockedFolder(LibraryFolder folder)
 }
 
 std::unique_ptr<ObjectModel> LockedFolder::read(const std::string& name) {
-  if (!is_valid_name(name) || !path_exists(folder_.object_file(name))) return nullptr;
+  const std::string path = folder_.object_file(name);
+  const auto stamp = is_valid_name(name) ? stamp_of(path) : std::nullopt;
+  if (!stamp) return nullptr;
   try {
-    return std::make_unique<ObjectModel>(read_object_file(folder_.object_file(name)));
+    return std::make_unique<ObjectModel>(read_object_file(path));
   } catch (const ContentError& error) {
-    refuse_other_image(folder_.object_file(name));
+    refuse_other_image(path);
+    if (changed_recently(*stamp))
+      throw FileError(path, error.reason() +
+                                "; the file may still be being copied, try again in a few seconds");
     quarantine(name + kObjectFileEnding, error.reason());
     return nullptr;
   }
@@ -203,12 +208,17 @@ void LockedFolder::rename(const std::string& name, const std::string& new_name) 
   folder_sync.sync();
 }
 
-void LockedFolder::quarantine_unreadable(const std::string& file) {
+bool LockedFolder::quarantine_unreadable(const std::string& file, const FileStamp& stamp) {
+  const std::string path = folder_.path + "/" + file;
   try {
     check_file_name(folder_, file);
-    read_object_file(folder_.path + "/" + file);
+    read_object_file(path);
+    return false;
   } catch (const ContentError& error) {
+    const auto now = stamp_of(path);
+    if (!now || !(*now == stamp)) return false;
     quarantine(file, error.reason());
+    return true;
   }
 }
 

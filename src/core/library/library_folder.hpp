@@ -57,7 +57,8 @@ class LockedFolder {
   explicit LockedFolder(LibraryFolder folder);
 
   /// The stored object; null if there is none. An unreadable file is quarantined and counts as
-  /// none. Throws FileError if the file of this name is an image but not an object.
+  /// none. Throws FileError if the file of this name is an image but not an object, or may not be
+  /// complete yet.
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
   /// One above every revision of `name`: that of `stored` (may be null) and those in the trash. The
@@ -74,8 +75,9 @@ class LockedFolder {
   /// Renames the object's file; the new name must be free.
   void rename(const std::string& name, const std::string& new_name);
 
-  /// Moves `file` to the quarantine if it is still unreadable under the lock.
-  void quarantine_unreadable(const std::string& file);
+  /// Moves `file` to the quarantine and returns true, unless it can be read under the lock or has
+  /// changed since it had this stamp.
+  bool quarantine_unreadable(const std::string& file, const FileStamp& stamp);
 
  private:
   void quarantine(const std::string& file, const std::string& reason);
