@@ -201,14 +201,6 @@ TEST(ObjectLibrary, ALinkInPlaceOfTheTrashIsNotFollowed) {
   EXPECT_TRUE(std::filesystem::is_empty(elsewhere.path()));
 }
 
-TEST(ObjectLibrary, RevisionNumbersAreNeverReused) {
-  TemporaryFolder folder;
-  ObjectLibrary library(folder.path());
-  library.save(random_model(1), Existing::kRefuse);
-  library.remove("wrench");
-  EXPECT_EQ(library.save(random_model(2), Existing::kRefuse).revision, 2u);
-}
-
 TEST(ObjectLibrary, EditThatMovesPosesIsANewRevision) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());
@@ -256,15 +248,6 @@ TEST(ObjectLibrary, RenameChangesKeyAndLabel) {
   EXPECT_THROW(library.rename("spanner", "nut", ""), std::invalid_argument);
   EXPECT_THROW(library.rename("spanner", "../x", ""), std::invalid_argument);
   EXPECT_THROW(library.rename("wrench", "w", ""), std::invalid_argument);
-}
-
-TEST(ObjectLibrary, RenameToAUsedNameTakesANewRevision) {
-  TemporaryFolder folder;
-  ObjectLibrary library(folder.path());
-  for (unsigned seed : {1, 2}) library.save(random_model(seed, "nut"), Existing::kReplace);
-  library.remove("nut");
-  library.save(random_model(3), Existing::kRefuse);
-  EXPECT_EQ(library.rename("wrench", "nut", "").revision, 3u);
 }
 
 // The library is tested at this size; max_objects in the configuration limits the nodelet's to

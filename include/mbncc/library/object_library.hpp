@@ -35,8 +35,8 @@ class NameError : public std::invalid_argument {
 /// FileError (with errno's text) if a file operation fails; the library is then unchanged. A writer
 /// that waits longer than 10 s for the lock throws FileError.
 ///
-/// Revisions increase per name and are not reused, even after a removal, as long as the trash is
-/// not emptied. One instance serves one thread at a time.
+/// Revisions increase per name and are not reused, even after a removal or a rename, as long as
+/// the trash is not emptied. One instance serves one thread at a time.
 class ObjectLibrary {
  public:
   /// Opens `folder`; creates it and its parents if they are missing.
@@ -79,8 +79,8 @@ class ObjectLibrary {
   /// unchanged. Throws NameError if the name is unknown, std::invalid_argument like save().
   ObjectModel edit(const std::string& name, const std::function<void(ObjectModel&)>& change);
 
-  /// Changes name, label or both; an empty argument keeps the old one. Throws NameError if the name
-  /// is unknown or the new one is invalid or taken.
+  /// Changes name, label or both; an empty argument keeps the old one. The trash keeps a copy under
+  /// the old name. Throws NameError if the name is unknown or the new one is invalid or taken.
   ObjectModel rename(const std::string& name, const std::string& new_name,
                      const std::string& label);
 

@@ -202,9 +202,15 @@ void LockedFolder::discard(const ObjectModel& model) {
   folder_sync.sync();
 }
 
-void LockedFolder::rename(const std::string& name, const std::string& new_name) {
+void LockedFolder::rename(const ObjectModel& model, const std::string& new_name) {
   FolderSync folder_sync(folder_.path);
-  rename_path(folder_.object_file(name), folder_.object_file(new_name));
+  const std::string in_trash = link_to_trash(model);
+  try {
+    rename_path(folder_.object_file(model.name), folder_.object_file(new_name));
+  } catch (...) {
+    ::unlink(in_trash.c_str());
+    throw;
+  }
   folder_sync.sync();
 }
 

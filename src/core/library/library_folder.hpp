@@ -72,8 +72,9 @@ class LockedFolder {
   /// Moves the object to the trash.
   void discard(const ObjectModel& model);
 
-  /// Renames the object's file; the new name must be free.
-  void rename(const std::string& name, const std::string& new_name);
+  /// Renames the object's file; the new name must be free. The trash keeps the file under its old
+  /// name, so that no other object of that name gets its revision.
+  void rename(const ObjectModel& model, const std::string& new_name);
 
   /// Moves `file` to the quarantine and returns true, unless it can be read under the lock or has
   /// changed since it had this stamp.

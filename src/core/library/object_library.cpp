@@ -123,7 +123,7 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
   if (!label.empty()) model.label = label;
   locked.write(model, nullptr);
   if (moves) {
-    locked.rename(name, new_name);
+    locked.rename(model, new_name);
     model.name = new_name;
   }
   return model;
