@@ -138,6 +138,16 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndReportsIt) {
   EXPECT_EQ(on_library("check").code, 0);
 }
 
+TEST_F(LibraryCommands, CheckDoesNotBringBackWhatWasDeletedSince) {
+  ASSERT_EQ(run_tool(folder_.lesson("part") + std::vector<std::string>{"--overwrite"}).code, 0);
+  damage("part");
+  ASSERT_TRUE(on_library("check", {"--repair"}).prints("brought 'part'"));
+  ASSERT_EQ(on_library("forget", {"--name", "part"}).code, 0);
+  const ToolRun check = on_library("check", {"--repair"});
+  EXPECT_FALSE(check.prints("brought")) << check.out;
+  EXPECT_TRUE(check.prints("0 readable, 1 unreadable")) << check.out;
+}
+
 TEST_F(LibraryCommands, RestoreErrorNamesTheTrashFolder) {
   const ToolRun run = on_library("restore", {"--name", "nosuch"});
   EXPECT_EQ(run.code, 1);

@@ -2,8 +2,13 @@
 // A name and a revision identify one object, as long as the trash is not emptied.
 #include <gtest/gtest.h>
 
+#include <chrono>
+#include <filesystem>
+#include <thread>
+
 #include "library/models.hpp"
 #include "mbncc/library/object_library.hpp"
+#include "support/settled_file.hpp"
 #include "support/temporary_folder.hpp"
 
 namespace mbncc::test {
@@ -47,6 +52,28 @@ TEST(ObjectLibrary, ARenameToAUsedNameLeavesNoRevisionFree) {
   library.save(random_model(4), Existing::kRefuse);
   EXPECT_EQ(library.rename("wrench", "nut", "").revision, 4u);
   EXPECT_EQ(library.save(random_model(5), Existing::kRefuse).revision, 5u);
+}
+
+TEST(ObjectLibrary, KnowsWhetherAnObjectWasRemovedAfterItsFileWasQuarantined) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  // The kernel dates files by its last tick.
+  const auto wait_for_tick = [] { std::this_thread::sleep_for(std::chrono::milliseconds(20)); };
+  for (unsigned seed : {1, 2}) library.save(random_model(seed), Existing::kReplace);
+  std::filesystem::resize_file(folder / "wrench.png", 100);
+  settle(folder / "wrench.png");
+  wait_for_tick();
+  library.load();
+  const QuarantinedFile file = library.quarantine().at(0);
+  EXPECT_FALSE(library.trashed_since("wrench", file)) << "replaced before";
+  library.restore("wrench");
+  EXPECT_FALSE(library.trashed_since("wrench", file));
+  // A copy that keeps times is as old as the original.
+  settle(folder / "wrench.png");
+  wait_for_tick();
+  library.remove("wrench");
+  EXPECT_TRUE(library.trashed_since("wrench", file));
+  EXPECT_FALSE(library.trashed_since("nut", file));
 }
 
 }  // namespace

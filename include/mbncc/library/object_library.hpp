@@ -64,6 +64,10 @@ class ObjectLibrary {
   /// The contents of `.quarantine/`, from this and earlier loads, with the reasons.
   std::vector<QuarantinedFile> quarantine() const;
 
+  /// True if an object of this name was replaced or removed after `file` had been moved to the
+  /// quarantine. Throws FileError if the trash cannot be read.
+  bool trashed_since(const std::string& name, const QuarantinedFile& file) const;
+
   /// What save() does if the name exists.
   enum class Existing { kRefuse, kReplace };
 

@@ -25,12 +25,13 @@ std::string object_of(const QuarantinedFile& file) {
 }
 
 // Restores the newest stored revision of every object whose file is unreadable and that is missing
-// in the library.
+// in the library. An object that was stored again later is missing because somebody removed it.
 void bring_back(const std::vector<QuarantinedFile>& faulty, ObjectLibrary& library) {
   for (const auto& file : faulty) {
     const std::string name = object_of(file);
     if (!file.moved || library.load()->find(name) != nullptr) continue;
     try {
+      if (library.trashed_since(name, file)) continue;
       const ObjectModel object = library.restore(name);
       std::cout << "brought '" << name << "' from the trash as revision " << object.revision
                 << "; later changes are lost\n";

@@ -120,6 +120,18 @@ std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& fold
   return revisions;
 }
 
+// The time of a file's last change of state is that of its move to the trash, even if it was copied
+// into the library with its older date.
+bool trashed_since(const LibraryFolder& folder, const std::string& name,
+                   const QuarantinedFile& file) {
+  const auto reason = stamp_of(folder.quarantine() + "/" + file.file + kReasonEnding);
+  const auto revisions = trashed_revisions(folder, name);
+  return reason && std::any_of(revisions.begin(), revisions.end(), [&](const auto& revision) {
+           const auto trashed = stamp_of(revision.second);
+           return trashed && trashed->changed_ns >= reason->changed_ns;
+         });
+}
+
 void check_storage(const LibraryFolder& folder) {
   open_lock(folder);
   try_to_write(folder.path, kTrial);

@@ -33,6 +33,10 @@ struct LibraryFolder {
 /// The contents of the quarantine with their reasons.
 std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder);
 
+/// See ObjectLibrary::trashed_since().
+bool trashed_since(const LibraryFolder& folder, const std::string& name,
+                   const QuarantinedFile& file);
+
 /// Names of the object files: *.png, except hidden ones.
 std::vector<std::string> object_files(const LibraryFolder& folder);
 

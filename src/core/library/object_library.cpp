@@ -86,6 +86,10 @@ std::vector<QuarantinedFile> ObjectLibrary::quarantine() const {
   return library::quarantined_files({folder_});
 }
 
+bool ObjectLibrary::trashed_since(const std::string& name, const QuarantinedFile& file) const {
+  return library::trashed_since({folder_}, name, file);
+}
+
 ObjectModel ObjectLibrary::save(ObjectModel model, Existing existing) {
   validate(model);
   library::LockedFolder locked({folder_});
