@@ -93,9 +93,13 @@ std::vector<Option> settings_options() {
           {"--set", "key=value", "one parameter; overrides --config", false, true}};
 }
 
+void change_settings(Settings& settings, const Arguments& arguments) {
+  assign_given(arguments, merged(all_rows(settings)));
+}
+
 Settings settings_from(const Arguments& arguments) {
   Settings settings;
-  assign_given(arguments, merged(all_rows(settings)));
+  change_settings(settings, arguments);
   return settings;
 }
 

@@ -38,9 +38,12 @@ std::vector<SettingsSection> sections_of(Settings& settings);
 /// The options --config and --set.
 std::vector<Option> settings_options();
 
-/// The defaults, changed by --config FILE and then by --set key=value. A parameter that several
-/// parts share, each with its own range, is set in every part that accepts the value. Throws
-/// UsageError, ConfigError (if no part accepts the value), FileError.
+/// Applies --config FILE and then --set key=value. A parameter that several parts share, each with
+/// its own range, is set in every part that accepts the value. Throws UsageError, ConfigError (if
+/// no part accepts the value), FileError.
+void change_settings(Settings& settings, const Arguments& arguments);
+
+/// The defaults, changed in this way.
 Settings settings_from(const Arguments& arguments);
 
 /// Sets only the simulated camera's parameters: a value that it does not accept is refused even if

@@ -43,6 +43,12 @@ TEST_F(ExplainCommand, NamesTheThresholdThatFailedAndCanBeRunAgain) {
   EXPECT_EQ(again.code, 0) << again.err;
   EXPECT_TRUE(again.prints("below min_score 1.00"));
   EXPECT_TRUE(again.prints("as when it was saved"));
+  // --set changes the saved settings.
+  const ToolRun lower = run_tool({"replay", miss, "--set", "min_score=0.25"});
+  EXPECT_EQ(lower.code, 0) << lower.err;
+  EXPECT_TRUE(lower.prints("min_score 0.25 passed")) << lower.out;
+  EXPECT_FALSE(lower.prints("as when it was saved")) << lower.out;
+  EXPECT_EQ(run_tool({"replay", miss, "--set", "min_scor=0.25"}).code, 2);
 }
 
 TEST_F(ExplainCommand, PrintsOneObjectPerLine) {

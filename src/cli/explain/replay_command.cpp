@@ -10,11 +10,20 @@
 namespace mbncc::cli {
 namespace {
 
+SearchConfig changed(const SearchConfig& saved, const Arguments& arguments) {
+  Settings settings;
+  settings.search() = saved;
+  change_settings(settings, arguments);
+  return settings.search();
+}
+
 ExitCode run(const Arguments& arguments) {
+  settings_from(arguments);  // wrong usage is no fault of a file
   ExitCode code = kDone;
   for (const auto& file : arguments.operands()) {
     try {
-      const SavedMiss miss = read_miss(file);
+      SavedMiss miss = read_miss(file);
+      miss.search = changed(miss.search, arguments);
       const auto explanations = explain(miss);
       if (arguments.has("--json")) {
         write_explanations(std::cout, file, miss.place, explanations);
@@ -37,14 +46,15 @@ ExitCode run(const Arguments& arguments) {
 }  // namespace
 
 Command replay_command() {
-  return {"replay",
-          "explain a saved miss again with this version",
-          {json_option()},
-          "FILE.miss",
-          "Image, library and settings are those of the file, as written by the console's 'Save "
-          "this miss'\n or by 'mbncc explain --save'. A file that cannot be read is reported, the "
-          "others are\n run, and the exit code is 1.\n",
-          run};
+  return {
+      "replay",
+      "explain a saved miss again with this version",
+      {json_option()},
+      "FILE.miss",
+      "Image, library and settings are those of the file, as written by the console's 'Save "
+      "this miss'\n or by 'mbncc explain --save'; --config and --set change the settings. A file "
+      "that cannot be\n read is reported, the others are run, and the exit code is 1.\n",
+      run};
 }
 
 }  // namespace mbncc::cli
