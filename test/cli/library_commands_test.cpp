@@ -85,6 +85,7 @@ TEST_F(LibraryCommands, ASymmetryIsDeclaredAndShown) {
   const ToolRun strict = on_library("edit", {"--name", "part", "--min-score", "0.75"});
   EXPECT_TRUE(strict.prints("'part' has symmetry round, is reported at a score of 0.75 or more"))
       << strict.out;
+  EXPECT_TRUE(strict.prints(", revision 2\n")) << "a threshold is no new revision: " << strict.out;
   const ToolRun usual = on_library("edit", {"--name", "part", "--min-score", "auto"});
   EXPECT_FALSE(usual.prints("is reported at")) << usual.out;
   EXPECT_EQ(on_library("edit", {"--name", "part"}).code, 2) << "nothing to do";

@@ -52,8 +52,8 @@ Command edit_command() {
        {"--min-score", "S", "minimum score to report it, instead of min_score; auto: min_score"}},
       "",
       "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "
-      "as\n measured in the image. none: the angle always matters. The old revision goes to\n"
-      "the trash.\n",
+      "as\n measured in the image. none: the angle always matters. Another symmetry is a\n"
+      "new revision, and the old one goes to the trash; --min-score alone keeps the revision.\n",
       run};
 }
 
