@@ -33,7 +33,9 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
 bool reference_within(const Detection& detection, const cv::Rect& roi) {
   if (roi.empty()) return true;
   const Pose2D pose = object_pose(detection);
-  return pose.x >= roi.x && pose.y >= roi.y && pose.x <= roi.br().x - 1 && pose.y <= roi.br().y - 1;
+  constexpr double kHalf = 0.5;  // [px] a pixel's area reaches this far beyond its centre
+  return pose.x >= roi.x - kHalf && pose.y >= roi.y - kHalf && pose.x < roi.br().x - kHalf &&
+         pose.y < roi.br().y - kHalf;
 }
 
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {

@@ -27,6 +27,7 @@ struct Detection {
   double scale = 1;                            ///< of the object, relative to the view
   cv::Matx33d covariance;                      ///< of pose
   cv::Matx33d grasp_covariance;                ///< covariance for the grasp conditions, see Refined
+  double scale_variance = 0;                   ///< see Refined
   LogOdds odds;                                ///< that the object lies at the pose
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]

@@ -43,10 +43,13 @@ void accept(const std::vector<Detection>& detections, const AcceptanceSettings& 
   }
 }
 
-cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever) {
-  // A rotation about the anchor displaces the reference point by the lever.
+/// Covariance of the reference point, which lies off the anchor by `lever` [px]: a rotation about
+/// the anchor displaces it, and so does another size of the object.
+cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever,
+                               const Detection& detection) {
   const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
-  return jacobian * covariance * jacobian.t();
+  const cv::Vec3d outwards(lever.x / detection.scale, lever.y / detection.scale, 0);
+  return jacobian * covariance * jacobian.t() + detection.scale_variance * outwards * outwards.t();
 }
 
 /// Sets the calibration of all detections from their margins, before any of them is accepted.
@@ -75,7 +78,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.revision = model.revision;
   match.pose = object_pose(detection);
   const cv::Point2d lever = rotate(lever_of(detection), detection.pose.theta);
-  match.covariance = moved_to_reference(detection.covariance, lever);
+  match.covariance = moved_to_reference(detection.covariance, lever, detection);
   match.scale = view.scale * detection.scale;
   match.score = acceptance_score(detection, config);
   match.odds = detection.odds;
@@ -89,8 +92,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
   match.outline = outline_at(detection);
-  match.doubts =
-      doubts_about(match, detection, moved_to_reference(detection.grasp_covariance, lever), config);
+  match.doubts = doubts_about(
+      match, detection, moved_to_reference(detection.grasp_covariance, lever, detection), config);
   conclude(match, config);
   return match;
 }

@@ -48,7 +48,7 @@ class Refiner {
     }
     if (!seen) return unknown_accuracy(pose_);
     const double apart = std::max(between_cue_variance_, variance_between_halves());
-    return {pose_, scale_, covariance(between_cue_variance_), covariance(apart)};
+    return {pose_, scale_, covariance(between_cue_variance_), covariance(apart), scale_variance()};
   }
 
  private:
@@ -108,9 +108,16 @@ class Refiner {
     return information(scale_deviation).inv() * towards;
   }
 
+  double estimated_scale() const { return scale_ / (1 + solution(kScalePrior)[3]); }
+
+  double scale_variance() const {
+    const double off = estimated_scale() - scale_;
+    return off * off + information(kScalePrior).inv()(3, 3);
+  }
+
   /// Whether the scale of the current solution differs significantly from 1.
   bool scale_differs() const {
-    const double off = std::abs(scale_ / (1 + solution(kScalePrior)[3]) - 1);
+    const double off = std::abs(estimated_scale() - 1);
     const double deviation = std::sqrt(information(kScalePrior).inv()(3, 3));
     return off > std::max(kLeastScale, kScaleDeviations * deviation);
   }

@@ -27,6 +27,7 @@ struct Refined {
   double scale = 1;              ///< of the object, relative to the template
   cv::Matx33d covariance;        ///< of x, y, theta [px^2, px rad, rad^2]
   cv::Matx33d grasp_covariance;  ///< `covariance`, widened if halves of the object are displaced
+  double scale_variance = 0;     ///< of `scale`, including its distance from the estimated one
 };
 
 /// The unrefined pose with the covariance of unknown accuracy: 100 px, a full turn.

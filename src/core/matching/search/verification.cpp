@@ -174,6 +174,7 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.scale = place.scale;
   detection.covariance = place.covariance;
   detection.grasp_covariance = place.grasp_covariance;
+  detection.scale_variance = place.scale_variance;
   const evidence::ColourDifference difference =
       colour_difference(view, scene.levels[0], place, found.odds);
   detection.colour_difference = std::max(difference.colour, difference.block);
