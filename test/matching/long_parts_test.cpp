@@ -87,6 +87,23 @@ TEST(LongParts, SideBySideAreDifferentInstances) {
   EXPECT_EQ(graspable, 6);
 }
 
+TEST(LongParts, TheCentreOfSymmetryIsFoundWhereverTheReferencePointLies) {
+  const Bar bar(120, 28);
+  LearningImage lesson(1, bar.map);
+  lesson.surface.setTo(cv::Scalar(50, 90, 160));
+  lesson.surface.copyTo(lesson.image, bar.map);
+  const cv::Point2d reference = cv::Point2d(bar.middle) + cv::Point2d(15, 3);
+  auto model = object_from(lesson, {reference.x, reference.y, 0});
+  model->symmetry = 2;
+  Matcher matcher;
+  matcher.set_objects({model});
+  const auto found = matcher.find(lesson.image).matches;
+  ASSERT_FALSE(found.empty());
+  const cv::Point2d centre = found[0].pose.position() + found[0].to_symmetry_centre;
+  const cv::Point2d truth = cv::Point2d(bar.middle) - cv::Point2d(0.5, 0.5);  // of even sides
+  EXPECT_LT(cv::norm(centre - truth), 0.3);
+}
+
 // An object that appears .3 % larger displaces a reference point at its end.
 TEST(LongParts, AReferencePointAtTheEndIsAsUncertainAsTheSize) {
   const Bar bar(400, 40);

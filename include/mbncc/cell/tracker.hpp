@@ -41,9 +41,9 @@ struct TrackedMatch {
 /// A match is assigned to the nearest instance of its name and revision, within half of its
 /// outline's radius of the instance's last or extrapolated position. If the angle jumps by more
 /// than 3 degrees (modulo symmetry), the instance continues but must be confirmed again. Of the
-/// equivalent angles of a symmetric object, the one nearest to the last is reported; a round object
-/// keeps its first angle. An instance is lost when it has been missed in confirm_window images in a
-/// row and is not held.
+/// equivalent poses of a symmetric object, the one whose angle is nearest to the last is reported;
+/// a round object keeps its first angle. An instance is lost when it has been missed in
+/// confirm_window images in a row and is not held.
 class InstanceTracker {
  public:
   /// Throws std::invalid_argument when confirm_frames is not in 1 .. confirm_window or a time is
@@ -83,7 +83,7 @@ class InstanceTracker {
 
   std::vector<Track*> associate(double stamp, const std::vector<Match>& matches);
   Track& begin_track(double stamp, const Match& match);
-  void see(Track& track, const Match& match, double stamp);
+  void see(Track& track, const Match& found, double stamp);
   void note_missed();
   void choose_best(std::vector<TrackedMatch>& tracked);
   std::vector<std::string> reasons_of(const Track& track) const;

@@ -50,7 +50,10 @@ struct Match {
   std::optional<double> other_angle;  ///< [rad] object frame at that angle; empty: none
   double visible = 1;                 ///< [0..1] part of the map inside the image
   int symmetry = 1;                   ///< 1: none, 2: 180 deg ..., 0: round
-  std::vector<Doubt> doubts;          ///< reasons against grasping apart from competitors
+  /// [px] Unless `symmetry` is 1: from the reference point to the point about which turns by a part
+  /// of the symmetry leave the object as it is.
+  cv::Point2d to_symmetry_centre;
+  std::vector<Doubt> doubts;  ///< reasons against grasping apart from competitors
   /// All conditions for a grasp hold in this image: score, margins, visible part, standard
   /// deviations, colours of parts, edges inside the outline, size, no better fit of the outline
   /// nearby, mirrored or torn, and a probability of at least .98.

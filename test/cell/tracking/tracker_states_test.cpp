@@ -66,6 +66,31 @@ TEST(InstanceTracker, ARotationByTheSymmetryIsNoAngleJump) {
   }
 }
 
+// The reference point lies 15 px off the centre of symmetry, so it moves when the angle does.
+TEST(InstanceTracker, AnEquivalentPoseIsTurnedAboutTheCentreOfSymmetry) {
+  InstanceTracker tracker;
+  const cv::Point2d centre(100, 100);
+  const auto seen_turned = [&](double theta) {
+    Match match = match_at(0, 0, theta);
+    match.symmetry = 2;
+    match.to_symmetry_centre = rotate({-15, 0}, theta);
+    match.pose.x = centre.x - match.to_symmetry_centre.x;
+    match.pose.y = centre.y - match.to_symmetry_centre.y;
+    match.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-4});
+    return match;
+  };
+  tracker.update(0, {seen_turned(0.7)});
+  const auto tracked = tracker.update(0.1, {seen_turned(0.7 + kPi)});
+  EXPECT_EQ(tracked[0].instance_id, 1u);
+  const Match& match = tracked[0].match;
+  const Match first = seen_turned(0.7);
+  EXPECT_NEAR(match.pose.theta, 0.7, 1e-9);
+  EXPECT_NEAR(match.pose.x, first.pose.x, 1e-9);
+  EXPECT_NEAR(match.pose.y, first.pose.y, 1e-9);
+  // The uncertain angle displaces the turned reference point by twice the lever.
+  EXPECT_NEAR(match.covariance(0, 0) + match.covariance(1, 1), 0.02 + 1e-4 * 30 * 30, 1e-9);
+}
+
 TEST(InstanceTracker, EqualAnglesOfASymmetricObjectStayNearTheLast) {
   InstanceTracker tracker;
   cv::RNG random(4);

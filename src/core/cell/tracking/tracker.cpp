@@ -29,6 +29,20 @@ double nearest_angle(double last, const Match& match) {
   return wrap_angle(last + std::remainder(match.pose.theta - last, 2 * kPi / match.symmetry));
 }
 
+/// `match` at the one of its equivalent poses whose angle is the nearest to that of `last`: turned
+/// about the centre of its symmetry.
+Match nearest_equivalent(const Match& last, Match match) {
+  if (match.symmetry == 1) return match;
+  const double theta = nearest_angle(last.pose.theta, match);
+  const cv::Point2d centre = match.pose.position() + match.to_symmetry_centre;
+  match.to_symmetry_centre = rotate(match.to_symmetry_centre, theta - match.pose.theta);
+  const cv::Point2d shift = centre - match.to_symmetry_centre - match.pose.position();
+  match.pose = {match.pose.x + shift.x, match.pose.y + shift.y, theta};
+  const cv::Matx33d jacobian(1, 0, -shift.y, 0, 1, shift.x, 0, 0, 1);
+  match.covariance = jacobian * match.covariance * jacobian.t();
+  return match;
+}
+
 bool angle_jumped(const Match& a, const Match& b) {
   return angle_distance(a.pose.theta, b.pose.theta, b.symmetry) > kAngleJump;
 }
@@ -113,7 +127,8 @@ double InstanceTracker::Track::distance_to(const Match& match, double stamp) con
   const Match& before = last.match;
   if (before.name != match.name || before.revision != match.revision)
     return std::numeric_limits<double>::infinity();
-  const cv::Point2d way = match.pose.position() - before.pose.position();
+  const cv::Point2d way =
+      nearest_equivalent(before, match).pose.position() - before.pose.position();
   const double passed = stamp - last.seen_at;
   if (passed > kLongestGuess) return cv::norm(way);
   return std::min(cv::norm(way), cv::norm(way - velocity * passed));
@@ -156,10 +171,10 @@ InstanceTracker::Track& InstanceTracker::begin_track(double stamp, const Match& 
   return track;
 }
 
-void InstanceTracker::see(Track& track, const Match& match, double stamp) {
+void InstanceTracker::see(Track& track, const Match& found, double stamp) {
   const Match& before = track.last.match;
+  const Match match = nearest_equivalent(before, found);
   if (angle_jumped(before, match)) track.graspable.clear();
-  const double theta = nearest_angle(before.pose.theta, match);
   if (stamp > track.last.seen_at)
     track.velocity =
         (match.pose.position() - before.pose.position()) * (1 / (stamp - track.last.seen_at));
@@ -167,7 +182,6 @@ void InstanceTracker::see(Track& track, const Match& match, double stamp) {
   while (static_cast<int>(track.graspable.size()) > config_.confirm_window)
     track.graspable.pop_front();
   track.last.match = match;
-  track.last.match.pose.theta = theta;
   track.last.valid_until = stamp + config_.max_age;
   track.last.seen_at = stamp;
   track.seen = true;

@@ -91,6 +91,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
     match.other_angle = object_pose(*turned).theta;
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
+  match.to_symmetry_centre =
+      transform(detection.pose, detection.scale * view.symmetry_centre) - match.pose.position();
   match.outline = outline_at(detection);
   match.doubts = doubts_about(
       match, detection, moved_to_reference(detection.grasp_covariance, lever, detection), config);

@@ -139,6 +139,25 @@ int symmetry_of(const ObjectModel& model, const View& view) {
   return model.symmetry ? *model.symmetry : measure_symmetry(view).certain;
 }
 
+/// The centre [px, from the anchor] of the view's symmetry, in a `lesson` that shows it, where a
+/// refinement from the turned pose finds the same object again.
+cv::Point2d symmetry_centre(const PreparedView& view, const View& learned) {
+  constexpr int kSteps = 6;
+  if (view.symmetry == 1) return {};
+  // The multiple that is nearest to half a turn fixes the centre best; a round object has them all.
+  const double turn = view.symmetry == 0 ? kPi : 2 * kPi / view.symmetry * (view.symmetry / 2);
+  const cv::Point2d middle = centroid(learned.map) - view.anchor;
+  const cv::Point2d start = view.anchor + middle - rotate(middle, turn);
+  const scene::SceneLevel lesson(learned.template_image, 0);
+  const Pose2D again =
+      refinement::refine(view.dense, lesson, {start.x, start.y, turn}, kSteps).pose;
+  // The fixed point c of that motion: c = t + R c.
+  const double c = std::cos(again.theta), s = std::sin(again.theta);
+  const cv::Matx22d remaining(1 - c, s, -s, 1 - c);
+  const cv::Point2d way = again.position() - view.anchor;
+  return cv::Point2d(remaining.inv() * cv::Vec2d(way.x, way.y));
+}
+
 }  // namespace
 
 /// Images from which all members are computed.
@@ -166,6 +185,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
                 reference_in_crop(source.view, source.anchor),
                 mbncc::templates::MapFootprint(source.view.map, source.anchor),
                 1,
+                {},
                 {}},
       anchor(source.anchor),
       geometry(source.view.map),
@@ -221,8 +241,10 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
   for (const auto& view : model->views) symmetries.push_back(symmetry_of(*model, view));
   for (const double scale : scales_within(scale_range))
     for (std::size_t i = 0; i < model->views.size(); ++i) {
-      views.emplace_back(coloured ? model->views[i] : as_grey(model->views[i]), engine, scale);
+      const View learned = coloured ? model->views[i] : as_grey(model->views[i]);
+      views.emplace_back(learned, engine, scale);
       views.back().symmetry = symmetries[i];
+      views.back().symmetry_centre = symmetry_centre(views.back(), rescaled(learned, scale));
       if (engine == Engine::kFast) views.back().sector = sector_of(model->views[i], model->views);
     }
 }
