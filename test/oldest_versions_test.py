@@ -37,6 +37,10 @@ PATTERNS = {
                                    r'remove_cvref\w*|make_shared_for_overwrite|atomic_ref|assume_aligned)\b|'
                                    r'#\s*include\s*<(?:span|concepts|ranges|format|bit|numbers|source_location|compare|coroutine|latch|'
                                    r'barrier|semaphore|stop_token|syncstream|version)>'),
+        ('Qt 5.13 and newer', r'\bevent(?:->|\.)(?:position|globalPosition)\(|'
+                              r'\bQt::(?:endl|(?:Skip|Keep)EmptyParts|ReturnByValue)\b|'
+                              r'\bQComboBox::text(?:Activated|Highlighted)\b|'
+                              r'\bQButtonGroup::id(?:Clicked|Pressed|Released|Toggled)\b|\bmoveToTrash\('),
         # Other calls for a double cannot be distinguished from those for an int, which gcc 8 supports.
         ('floating-point charconv of libstdc++ 11', r'\bstd::chars_format\b|'
                                                     r'\bstd::(?:from|to)_chars(?:<\s*(?:float|double)|\([^;]*,\s*-?\d+\.\d*)'),
@@ -61,6 +65,9 @@ PATTERNS = {
 # A program that is only built if OpenCV provides SIFT.
 EXCEPTED = {'bench/matching/sift_engine.cpp', 'bench/matching/sift_engine.hpp', 'test/oldest_versions_test.py'}
 
+# Code that is compiled for some versions of Qt only.
+QT_CHECK = re.compile(r'^#if QT_VERSION\b.*?^#endif', re.MULTILINE | re.DOTALL)
+
 
 def kind_of(path):
     if path.suffix in ('.cpp', '.hpp', '.inc'):
@@ -76,6 +83,7 @@ def kind_of(path):
 
 
 def faults_of(kind, text):
+    text = QT_CHECK.sub(lambda found: '\n' * found.group().count('\n'), text)
     for newer, pattern in PATTERNS[kind]:
         for found in re.finditer(pattern, text, re.MULTILINE):
             yield '%d: %s is of %s' % (text.count('\n', 0, found.start()) + 1, found.group().strip(), newer)
@@ -90,12 +98,16 @@ def check_itself():
     """A pattern that matches nothing would always pass."""
     newer = {'C++': ['cv::SIFT::create()', 'cv::stackBlur(', 'YAML::DeepRecursion', 'Eigen::seq(', '<boost/json.hpp>', 'std::span<int>',
                      '#include <bit>', 'std::from_chars(a, b, value, std::chars_format::general)', 'std::to_chars(a, b, 0.5)',
-                     'name.starts_with("a")', 'co_await x'],
+                     'name.starts_with("a")', 'co_await x', 'event->position()', 'Qt::endl'],
              'CMake': ['cmake_path(', 'find_program(X x REQUIRED)'], 'shell': ['ctest --test-dir build', '${name@U}'],
              'Python': ['a.removeprefix("b")', 'def f(x: list[int]): pass', 'match x:\n  case 1: pass',
                         'with (open(a) as b, open(c) as d): pass']}
-    return ['the pattern for %r finds nothing' % text for kind, texts in newer.items() for text in texts
-            if not list(faults_of(kind, text))]
+    faults = ['the pattern for %r finds nothing' % text for kind, texts in newer.items() for text in texts
+              if not list(faults_of(kind, text))]
+    checked = '#if QT_VERSION >= QT_VERSION_CHECK(5, 14, 0)\nevent.position();\n#endif\n'
+    if list(faults_of('C++', checked)) or not list(faults_of('C++', checked + 'event.position();')):
+        faults.append('a version check does not exempt exactly the code within it')
+    return faults
 
 
 def main():

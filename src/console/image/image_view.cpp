@@ -40,6 +40,15 @@ QPoint way_of(int key) {
   }
 }
 
+/// [px] place of the mouse in the widget.
+QPointF place_of(const QWheelEvent& event) {
+#if QT_VERSION < QT_VERSION_CHECK(5, 14, 0)
+  return event.posF();
+#else
+  return event.position();
+#endif
+}
+
 }  // namespace
 
 QString still_caption() {
@@ -267,8 +276,8 @@ void ImageView::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void ImageView::wheelEvent(QWheelEvent* event) {
-  frame_.zoom(std::pow(2.0, double(event->angleDelta().y()) / kNotch),
-              {event->position().x(), event->position().y()});
+  const QPointF at = place_of(*event);
+  frame_.zoom(std::pow(2.0, double(event->angleDelta().y()) / kNotch), {at.x(), at.y()});
   update();
 }
 
