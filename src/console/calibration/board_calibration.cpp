@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/calib3d.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -11,7 +12,8 @@ namespace {
 
 constexpr double kOtherView = 0.06;  // of the width: least motion of the corners between views
 constexpr std::size_t kViews = 8;
-constexpr int kCovered = 12;  // [fields] minimum number covered
+constexpr int kCovered = 12;           // [fields] minimum number covered
+constexpr int kPose = 6, kCamera = 8;  // numbers of parameters: fx, fy, cx, cy, k1, k2, p1, p2
 
 double distance(const std::vector<cv::Point2f>& a, const std::vector<cv::Point2f>& b) {
   double sum = 0;
@@ -39,6 +41,28 @@ sensor_msgs::CameraInfo info_of(const cv::Mat& matrix, const cv::Mat& distortion
   for (int i = 0; i < 12; ++i) info.P[i] = i % 4 < 3 ? straight.at<double>(i / 4, i % 4) : 0;
   for (int i = 0; i < 5; ++i) info.D.push_back(distortion.at<double>(i));
   return info;
+}
+
+/// What one view, whose pose is unknown, says about the camera: its part of the normal matrix, with
+/// focal lengths relative to `matrix`.
+cv::Mat normal_matrix(const cv::Mat& jacobian, const cv::Mat& matrix) {
+  const cv::Mat pose = jacobian.colRange(0, kPose);
+  cv::Mat camera = jacobian.colRange(kPose, kPose + kCamera).clone(), absorbed;
+  camera.col(0) *= matrix.at<double>(0, 0);
+  camera.col(1) *= matrix.at<double>(1, 1);
+  cv::solve(pose, camera, absorbed, cv::DECOMP_QR);
+  camera -= pose * absorbed;
+  return camera.t() * camera;
+}
+
+/// Standard deviation of the focal length, divided by it. That of cv::calibrateCamera() leaves out
+/// what the views do not determine, and is then close to 0.
+double focal_deviation(const cv::Mat& normal, double variance_px) {
+  cv::Mat covariance;
+  if (cv::invert(normal, covariance, cv::DECOMP_CHOLESKY) == 0)
+    return std::numeric_limits<double>::infinity();
+  return std::sqrt(variance_px *
+                   std::max(covariance.at<double>(0, 0), covariance.at<double>(1, 1)));
 }
 
 }  // namespace
@@ -100,7 +124,9 @@ std::string BoardCalibration::advice(Seen seen) const {
            " inner corners is visible. Move the whole board into view.";
   if (suffices()) return state + "Compute the calibration, or continue for a better one.";
   if (covered() < kCovered)
-    return state + "Move the board to fields not covered yet, including the corners.";
+    return state +
+           "Move the board to fields not covered yet, including the corners, and tilt it each "
+           "time.";
   return state + "Tilt the board and vary its distance.";
 }
 
@@ -111,16 +137,21 @@ BoardCalibration::Result BoardCalibration::solve() const {
   Result result;
   result.error_px = cv::calibrateCamera(board, views_, size_, matrix, distortion, turns, places,
                                         cv::CALIB_FIX_K3);
+  cv::Mat normal = cv::Mat::zeros(kCamera, kCamera, CV_64F), jacobian;
   double squares = 0;
   std::size_t count = 0;
   for (std::size_t view = 0; view < views_.size(); ++view) {
     std::vector<cv::Point2f> back;
-    cv::projectPoints(board[view], turns[view], places[view], matrix, distortion, back);
+    cv::projectPoints(board[view], turns[view], places[view], matrix, distortion, back, jacobian);
+    normal += normal_matrix(jacobian, matrix);
     const double mm = 1000 * places[view].at<double>(2) / matrix.at<double>(0, 0);
     for (std::size_t i = 0; i < back.size(); ++i, ++count)
       squares += std::pow(mm * cv::norm(back[i] - views_[view][i]), 2);
   }
-  result.error_mm = std::sqrt(squares / static_cast<double>(count));
+  const auto corners = static_cast<double>(count), views = static_cast<double>(views_.size());
+  result.error_mm = std::sqrt(squares / corners);
+  result.focal_deviation = focal_deviation(
+      normal, std::pow(result.error_px, 2) * corners / (2 * corners - kCamera - kPose * views));
   result.info = info_of(matrix, distortion, size_);
   return result;
 }

@@ -52,8 +52,11 @@ class BoardCalibration {
 
   struct Result {
     sensor_msgs::CameraInfo info;
-    double error_px = 0;  ///< RMS reprojection error of the corners
-    double error_mm = 0;  ///< the same in mm on the board
+    double error_px = 0;         ///< RMS reprojection error of the corners
+    double error_mm = 0;         ///< the same in mm on the board
+    double focal_deviation = 0;  ///< standard deviation of the focal length, divided by it
+    /// The views determine the focal length; those of a board that was never tilted do not.
+    bool determined() const { return focal_deviation < 0.01; }
   };
   /// Needs at least three views.
   Result solve() const;

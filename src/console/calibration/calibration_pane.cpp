@@ -134,10 +134,13 @@ void CalibrationPane::compute() {
           .arg(result_.error_mm, 0, 'f', 2)
           .arg(result_.error_px, 0, 'f', 2)
           .arg(result_.info.K[0], 0, 'f', 0)
-          .arg(calibration_.suffices()
+          .arg(!result_.determined()
+                   ? "The images do not determine the focal length: start over and tilt the board "
+                     "by about 30 degrees, each time in another direction."
+               : calibration_.suffices()
                    ? "Keep it, or continue."
                    : "The images cover too little for a reliable calibration."));
-  keep_->setEnabled(true);
+  keep_->setEnabled(result_.determined());
 }
 
 void CalibrationPane::show_kept(bool success, const QString& message) {

@@ -7,34 +7,13 @@
 #include <opencv2/imgproc.hpp>
 
 #include "console/calibration/board_calibration.hpp"
+#include "console/calibration/drawn_board.hpp"
 #include "console/calibration/image_check.hpp"
 
 namespace mbncc::console {
 namespace {
 
 using Seen = BoardCalibration::Seen;
-
-const Board kBoard{7, 5, 0.03};
-const cv::Size kImage(640, 480);
-const cv::Matx33d kMatrix(600, 0, 315, 0, 600, 245, 0, 0, 1);
-
-cv::Mat board_at(const cv::Vec3d& turn, const cv::Vec3d& place) {
-  cv::Mat image(kImage, CV_8UC3, cv::Scalar::all(200));
-  for (int row = -1; row < kBoard.rows; ++row)
-    for (int column = -1; column < kBoard.columns; ++column) {
-      if ((row + column) % 2 == 0) continue;
-      std::vector<cv::Point3d> square;
-      for (const auto& [x, y] : {std::pair{0, 0}, {1, 0}, {1, 1}, {0, 1}})
-        square.emplace_back((column + x) * kBoard.square, (row + y) * kBoard.square, 0);
-      std::vector<cv::Point2d> seen;
-      cv::projectPoints(square, turn, place, kMatrix, cv::noArray(), seen);
-      std::vector<cv::Point> fixed;
-      for (const auto& point : seen)
-        fixed.emplace_back(cvRound(point.x * 256), cvRound(point.y * 256));
-      cv::fillConvexPoly(image, fixed, cv::Scalar::all(20), cv::LINE_AA, 8);
-    }
-  return image;
-}
 
 TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
   BoardCalibration calibration(kBoard, kImage);
@@ -53,6 +32,24 @@ TEST(BoardCalibration, FindsTheCameraThatDrewTheBoards) {
   EXPECT_LT(result.error_px, 0.5);
   EXPECT_LT(result.error_mm, 0.6);
   EXPECT_EQ(result.info.width, 640u);
+  EXPECT_TRUE(result.determined()) << result.focal_deviation;
+}
+
+TEST(BoardCalibration, ABoardThatWasNeverTiltedDoesNotDetermineTheFocalLength) {
+  for (const double camera_tilt : {0., 0.2}) {
+    const cv::Vec3d turn(camera_tilt, 0, 0);
+    cv::Matx33d rotation;
+    cv::Rodrigues(turn, rotation);
+    BoardCalibration calibration(kBoard, kImage);
+    for (int i = 0; i < 16; ++i) {
+      const cv::Vec3d slid(-0.09 + 0.07 * (i % 4 - 1.5), -0.06 + 0.055 * (i / 4 - 1.5), 0);
+      calibration.take(board_at(turn, rotation * slid + cv::Vec3d(0, 0, 0.6)));
+    }
+    ASSERT_TRUE(calibration.suffices()) << calibration.advice(Seen::kTaken);
+    const auto result = calibration.solve();
+    EXPECT_LT(result.error_px, 0.5) << "it fits nevertheless";
+    EXPECT_FALSE(result.determined()) << result.info.K[0];
+  }
 }
 
 TEST(BoardCalibration, ReportsWhereTheBoardsWere) {
