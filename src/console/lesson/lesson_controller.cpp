@@ -128,6 +128,7 @@ void LessonController::begin(const TeachingWish& wish) {
   viewed_ = wish.what == What::kView ? wish.name : "";
   widgets_.bar.clear_notice();
   widgets_.bar.withdraw_question();
+  library_.begin_lesson(wish.name);
   lesson_.begin(ros_.teach(goal_of(wish, widgets_.bar.goal())), clock_.now());
   widgets_.image.setFocus();
   show();
@@ -141,7 +142,7 @@ void LessonController::end_lesson(const mbncc_vision::LearnObjectActionResult& r
   const Result outcome = outcome_of(result);
   if (outcome.error_code == Result::NAME_TAKEN) return ask_about_name(wish_.name);
   if (outcome.error_code == Result::SUCCESS) {
-    if (wish_.what != What::kNew) library_.retaught(outcome.object.name);
+    library_.retaught(outcome.object.name);
     widgets_.strip.choose(QString::fromStdString(outcome.object.name));
     widgets_.bar.clear_name();
     return offer_next_view(outcome.object.name);

@@ -23,7 +23,9 @@ class LibraryController : public QObject {
   LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent);
 
   const LibraryModel& library() const { return library_; }
-  /// A lesson changed the object; "Undo edit" can revert this.
+  /// A lesson about that name begins.
+  void begin_lesson(const std::string& name) { library_.begin_lesson(name); }
+  /// The lesson stored the object; "Undo edit" can revert this if there was one before.
   void retaught(const std::string& name) { library_.retaught(name); }
   /// Gives the object its own min_score; 0 removes it.
   void set_threshold(const QString& name, double min_score);

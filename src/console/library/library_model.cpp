@@ -21,14 +21,19 @@ std::vector<std::string> LibraryModel::names() const {
   return names;
 }
 
-void LibraryModel::retaught(const std::string& name) {
+void LibraryModel::begin_lesson(const std::string& name) {
+  before_lesson_.reset();
   const auto* before = find(name);
   if (before == nullptr) return;
-  Request request;
-  request.name = name;
-  request.command = Request::RESTORE;
-  request.revision = before->revision;
-  undo_.push_back(request);
+  before_lesson_.emplace();
+  before_lesson_->name = name;
+  before_lesson_->command = Request::RESTORE;
+  before_lesson_->revision = before->revision;
+}
+
+void LibraryModel::retaught(const std::string& name) {
+  if (before_lesson_ && before_lesson_->name == name) undo_.push_back(*before_lesson_);
+  before_lesson_.reset();
 }
 
 LibraryModel::Request LibraryModel::enable(const std::string& name, bool enabled) {

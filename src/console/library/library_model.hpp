@@ -7,6 +7,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,7 +34,10 @@ class LibraryModel {
   const mbncc_vision::LearnedObject* find(const std::string& name) const;
   std::vector<std::string> names() const;
 
-  /// A lesson has replaced the object of that name, or added a view; this can be undone.
+  /// A lesson begins; if an object has that name, notes the revision that an undo restores. The
+  /// list may contain the new revision before the lesson's result arrives.
+  void begin_lesson(const std::string& name);
+  /// The lesson has stored an object; if it replaced one or added a view, this can be undone.
   void retaught(const std::string& name);
 
   /// An edit was carried out; it can be undone from now on.
@@ -50,6 +54,7 @@ class LibraryModel {
 
   std::vector<mbncc_vision::LearnedObject> objects_;
   std::map<std::string, mbncc_vision::LearnedObject> before_;  // a recorded edit; revision 0: none
+  std::optional<Request> before_lesson_;  // restores the object that is being taught again
   std::vector<Request> undo_;
 };
 

@@ -141,6 +141,17 @@ class LibraryTest(unittest.TestCase):
         wait_for(lambda: self.own_threshold() <= 0, "it has none any more")
         self.report.wait_until_says("'clamp' no longer has its own min_score.")
 
+    def test_6_a_replaced_object_is_restored(self):
+        taught = self.teacher.revisions()["clamp"]
+        self.mouse.write("name", "clamp")
+        self.mouse.click_until("Teach", lambda: self.mouse.sees("Replace it"), "it is asked")
+        self.teacher.answer("Replace it")
+        self.teacher.take_away()
+        self.teacher.wait_for_question()
+        self.teacher.press("Accept")
+        wait_for(lambda: self.teacher.revisions()["clamp"] == taught + 1, "it is replaced")
+        self.mouse.click_until("Undo edit", lambda: self.teacher.revisions()["clamp"] == taught + 2, "the old one is back")
+
 
 class Report(unittest.TextTestResult):
     def addError(self, test, error):
