@@ -2,6 +2,7 @@
 #include "console/library/library_controller.hpp"
 
 #include <QFileDialog>
+#include <utility>
 
 #include "console/library/library_files.hpp"
 #include "console/library/library_strip.hpp"
@@ -33,11 +34,10 @@ LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject*
     strip_.show_objects(library_);
   });
   connect(&ros, &RosLink::edited, this, &LibraryController::take_edit);
-  connect(&strip, &LibraryStrip::edit_wanted, this,
-          [this](const auto& request) { ros_.edit(request); });
+  connect(&strip, &LibraryStrip::edit_wanted, this, [this](const auto& request) { send(request); });
   connect(&strip, &LibraryStrip::symmetry_wanted, this,
           [this](const QString& name, std::uint8_t symmetry) {
-            ros_.edit(library_.declare(name.toStdString(), symmetry));
+            send(library_.declare(name.toStdString(), symmetry));
           });
   connect(&strip, &LibraryStrip::undo_wanted, this, &LibraryController::undo);
   connect(&strip, &LibraryStrip::export_wanted, this, &LibraryController::export_object);
@@ -46,9 +46,15 @@ LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject*
   connect(&strip, &LibraryStrip::deleted_wanted, this, &LibraryController::show_deleted);
 }
 
-void LibraryController::take_edit(const Edit& request, bool success, const QString& message) {
-  const bool undone = undoing_;
-  undoing_ = false;
+void LibraryController::send(const Edit& request) {
+  ++pending_;
+  ros_.edit(request);
+}
+
+void LibraryController::take_edit(const Edit& request, bool answered, bool success,
+                                  const QString& message) {
+  --pending_;
+  const bool undo = std::exchange(undoing_, false);
   if (success)
     Q_EMIT edited();
   else if (request.command == Edit::RENAME)
@@ -61,23 +67,24 @@ void LibraryController::take_edit(const Edit& request, bool success, const QStri
     strip_.choose(QString::fromStdString(request.name));
   if (success && (request.command == Edit::RENAME || request.command == Edit::DELETE))
     Q_EMIT name_gone();
-  if (undone)
-    library_.undone();
-  else if (success)
-    library_.done(request);
+  // An undo without an answer can be repeated; one that the library refuses would be refused again.
+  if (undo && answered) library_.undone();
+  if (!undo && success) library_.done(request);
   strip_.show_objects(library_);
   if (success && request.command == Edit::SET_THRESHOLD)
     Q_EMIT told(true, threshold_sentence(request));
 }
 
 void LibraryController::set_threshold(const QString& name, double min_score) {
-  ros_.edit(library_.set_threshold(name.toStdString(), min_score));
+  send(library_.set_threshold(name.toStdString(), min_score));
 }
 
 void LibraryController::undo() {
-  if (!library_.can_undo() || undoing_) return;
+  // A pending edit is the one that the operator means, and its answer would be taken for the
+  // undo's.
+  if (!library_.can_undo() || pending_ > 0) return;
   undoing_ = true;
-  ros_.edit(library_.undo());
+  send(library_.undo());
 }
 
 void LibraryController::export_object(const QString& name) {
@@ -140,7 +147,7 @@ void LibraryController::show_deleted() {
 }
 
 void LibraryController::restore(const QString& name, std::uint32_t revision) {
-  ros_.edit(library_.restore(name.toStdString(), revision));
+  send(library_.restore(name.toStdString(), revision));
 }
 
 }  // namespace mbncc::console

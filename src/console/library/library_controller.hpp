@@ -40,7 +40,8 @@ class LibraryController : public QObject {
  private:
   using Edit = mbncc_vision::EditObject::Request;
 
-  void take_edit(const Edit& request, bool success, const QString& message);
+  void send(const Edit& request);
+  void take_edit(const Edit& request, bool answered, bool success, const QString& message);
   void undo();
   void export_object(const QString& name);
   void import_object();
@@ -52,6 +53,7 @@ class LibraryController : public QObject {
   LibraryStrip& strip_;
   LibraryModel library_;
   QString folder_;
+  int pending_ = 0;  // edits that are not answered yet
   bool undoing_ = false;
 };
 
