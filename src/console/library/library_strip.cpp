@@ -3,6 +3,7 @@
 
 #include <QHBoxLayout>
 #include <QPainter>
+#include <QTimer>
 #include <QVBoxLayout>
 
 #include "console/image/images.hpp"
@@ -111,6 +112,12 @@ void LibraryStrip::connect_buttons() {
   connect(search_, &QLineEdit::textChanged, this, &LibraryStrip::filter);
   connect(list_, &QListWidget::itemSelectionChanged, this, &LibraryStrip::show_choice);
   connect(list_, &QListWidget::itemChanged, this, &LibraryStrip::take_new_name);
+  // Later, because the list still handles the end of the editor.
+  connect(list_->itemDelegate(), &QAbstractItemDelegate::closeEditor, this, [this] {
+    QTimer::singleShot(0, this, [this] {
+      if (waiting_ != nullptr) show_objects(*waiting_);
+    });
+  });
   connect(view_, &QPushButton::clicked, [this] { Q_EMIT view_wanted(chosen()); });
   connect(enable_, &QPushButton::clicked, [this] {
     const bool enabled = list_->currentItem()->data(kEnabledRole).toBool();
@@ -144,6 +151,14 @@ void LibraryStrip::filter() {
   for (int row = 0; row < list_->count(); ++row)
     list_->item(row)->setHidden(
         !list_->item(row)->toolTip().contains(search_->text(), Qt::CaseInsensitive));
+  // The buttons act on what the operator sees.
+  const auto* current = list_->currentItem();
+  if (current != nullptr && current->isHidden()) list_->setCurrentItem(nullptr);
+}
+
+bool LibraryStrip::is_renaming() const {
+  const auto* editor = list_->viewport()->findChild<QLineEdit*>();
+  return editor != nullptr && !editor->isHidden();
 }
 
 QString LibraryStrip::chosen() const {
@@ -170,6 +185,8 @@ QListWidgetItem* LibraryStrip::make_item(const mbncc_vision::LearnedObject& obje
 }
 
 void LibraryStrip::show_objects(const LibraryModel& library) {
+  waiting_ = is_renaming() ? &library : nullptr;
+  if (waiting_ != nullptr) return;
   const QString kept = wanted_.isEmpty() ? chosen() : wanted_;
   filling_ = true;
   list_->clear();

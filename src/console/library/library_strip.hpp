@@ -24,6 +24,7 @@ class LibraryStrip : public QWidget {
  public:
   explicit LibraryStrip(QWidget* parent = nullptr);
 
+  /// Shows the objects, or after the operator has written a new name. `library` must outlive this.
   void show_objects(const LibraryModel& library);
   /// Selects an object once it is listed.
   void choose(const QString& name);
@@ -51,6 +52,7 @@ class LibraryStrip : public QWidget {
   QMenu* make_menu();
   void show_choice();
   void filter();
+  bool is_renaming() const;
   void take_new_name(QListWidgetItem* item);
   bool is_listed(const QString& name) const;
 
@@ -61,6 +63,7 @@ class LibraryStrip : public QWidget {
   QPushButton *view_, *enable_, *rename_, *delete_, *undo_, *more_;
   QAction *export_, *history_;
   QString wanted_;
+  const LibraryModel* waiting_ = nullptr;  // to show once no name is being written
   bool filling_ = false, teaching_allowed_ = false;
 };
 
