@@ -19,7 +19,7 @@ inline kernels::Image8 view_of(const cv::Mat& image) {
 inline kernels::Placement placement_of(const Pose2D& pose, double scale = 1) {
   const auto theta = static_cast<float>(pose.theta), factor = static_cast<float>(scale);
   return {factor * std::cos(theta), factor * std::sin(theta), static_cast<float>(pose.x),
-          static_cast<float>(pose.y)};
+          static_cast<float>(pose.y), factor};
 }
 
 }  // namespace mbncc::imaging

@@ -30,10 +30,11 @@ void place_normals(const float* __restrict px, const float* __restrict py,
                    const float* __restrict nx, const float* __restrict ny, int count,
                    const Placement& placement, NormalGroup& group) {
   const float cosine = placement.cosine, sine = placement.sine, x0 = placement.x, y0 = placement.y;
+  const float turn_x = cosine / placement.scale, turn_y = sine / placement.scale;
   for (int i = 0; i < count; ++i) {
     group.x[i] = cosine * px[i] - sine * py[i] + x0;
     group.y[i] = sine * px[i] + cosine * py[i] + y0;
-    const float x = cosine * nx[i] - sine * ny[i], y = sine * nx[i] + cosine * ny[i];
+    const float x = turn_x * nx[i] - turn_y * ny[i], y = turn_y * nx[i] + turn_x * ny[i];
     group.normal_x[i] = x;
     group.normal_y[i] = y;
     group.double_x[i] = (x * x - y * y) / 127.f;
@@ -133,7 +134,9 @@ void edge_agreements_group(const Image8& image, const float* __restrict px,
                            const float* __restrict dy, int count, const Placement& placement,
                            float* __restrict agreements) {
   const float cosine = placement.cosine, sine = placement.sine, x0 = placement.x, y0 = placement.y;
-  const float double_cosine = cosine * cosine - sine * sine, double_sine = 2.f * cosine * sine;
+  const float turn_x = cosine / placement.scale, turn_y = sine / placement.scale;
+  const float double_cosine = turn_x * turn_x - turn_y * turn_y,
+              double_sine = 2.f * turn_x * turn_y;
   const auto right = static_cast<float>(image.columns - 1);
   const auto bottom = static_cast<float>(image.rows - 1);
   const int stride = image.step;

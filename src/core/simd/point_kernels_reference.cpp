@@ -51,7 +51,8 @@ void read_along_normals_reference(const Image8& image, const Points& points, con
                                   const NormalReadings& readings) {
   for (int i = 0; i < points.count; ++i) {
     const Place place = placed(points, i, placement);
-    const Place normal = turned(normal_x[i], normal_y[i], placement.cosine, placement.sine);
+    const Place normal = turned(normal_x[i], normal_y[i], placement.cosine / placement.scale,
+                                placement.sine / placement.scale);
     const float double_x = (normal.x * normal.x - normal.y * normal.y) / 127.f;
     const float double_y = 2.f * normal.x * normal.y / 127.f;
     float best = -2, weights = 0, moments = 0, strongest = 0;
@@ -85,8 +86,8 @@ void read_along_normals_reference(const Image8& image, const Points& points, con
 void edge_agreements_reference(const Image8& image, const Points& points, const float* direction_x,
                                const float* direction_y, const Placement& placement,
                                float* agreements) {
-  const float cosine = placement.cosine * placement.cosine - placement.sine * placement.sine;
-  const float sine = 2.f * placement.cosine * placement.sine;
+  const float x = placement.cosine / placement.scale, y = placement.sine / placement.scale;
+  const float cosine = x * x - y * y, sine = 2.f * x * y;
   for (int i = 0; i < points.count; ++i) {
     const Place place = placed(points, i, placement);
     const Place direction = turned(direction_x[i], direction_y[i], cosine, sine);

@@ -8,7 +8,9 @@ namespace mbncc::kernels {
 
 /// A point (px, py) of the object lies at (cosine px - sine py + x, sine px + cosine py + y).
 struct Placement {
-  float cosine, sine, x, y;
+  float cosine, sine;  ///< of the angle, times `scale`
+  float x, y;          ///< [px]
+  float scale = 1;
 };
 
 /// An 8-bit image with interleaved channels.
