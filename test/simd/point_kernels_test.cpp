@@ -40,8 +40,9 @@ class PointKernels : public ::testing::TestWithParam<std::tuple<int, int>> {
     return values;
   }
   Placement random_placement() {
-    const float angle = random_float(-3, 3);
-    return {std::cos(angle), std::sin(angle), random_float(0, 40), random_float(0, 40)};
+    const float angle = random_float(-3, 3), scale = random_float(0.8f, 1.25f);
+    return {scale * std::cos(angle), scale * std::sin(angle), random_float(0, 40),
+            random_float(0, 40), scale};
   }
 
   std::mt19937 random_{11};
@@ -102,6 +103,30 @@ TEST_P(PointKernels, AgreementsEqualReference) {
   vectorised_points().edge_agreements_at(image(), points(), normal_x_.data(), normal_y_.data(),
                                          placement, actual.data());
   EXPECT_EQ(expected, actual);
+}
+
+// The same pixels of the image, read with points that lie as much nearer as the object is larger.
+TEST(PointReadings, DoNotGrowWithTheObject) {
+  constexpr int kCount = 16;
+  const std::vector<std::int8_t> edges(2 * 40 * 40, 90);
+  const Image8 image{reinterpret_cast<const std::uint8_t*>(edges.data()), 80, 40, 40};
+  const std::vector<float> normal_x(kCount, 0.6f), normal_y(kCount, 0.8f), none(kCount, 0);
+  const auto readings = [&](const PointTable& table, float scale) {
+    const Points points{none.data(), none.data(), kCount};
+    const Placement placement{scale * std::cos(0.7f), scale * std::sin(0.7f), 20, 20, scale};
+    std::vector<float> read(static_cast<std::size_t>(3 * kCount));
+    table.read_along_normals_at(image, points, normal_x.data(), normal_y.data(), placement, 0,
+                                {read.data(), read.data() + kCount, nullptr, nullptr});
+    table.edge_agreements_at(image, points, normal_x.data(), normal_y.data(), placement,
+                             read.data() + 2 * kCount);
+    return read;
+  };
+  for (const auto* table : {&point_reference(), &vectorised_points()}) {
+    const auto learned = readings(*table, 1), larger = readings(*table, 1.1f);
+    ASSERT_GT(std::abs(learned[0]), 0.1);
+    for (std::size_t i = 0; i < learned.size(); ++i)
+      EXPECT_NEAR(larger[i], learned[i], 1e-4 * std::abs(learned[i])) << i;
+  }
 }
 
 TEST_P(PointKernels, ChromaEqualsReference) {
