@@ -1,10 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: BSD-3-Clause
-"""Keeps detected objects as obstacles in MoveIt's planning scene: outline by height.
-
-Every detection with a pose is an obstacle, whether it may be grasped or not. It is removed when it has been absent
-for GONE_AFTER, because an arm may hide it while it passes.
-"""
+"""Keeps detections, graspable or not, as obstacles in MoveIt's planning scene: outline by height."""
 import cv2
 import numpy
 import rospy
@@ -14,7 +10,7 @@ from shape_msgs.msg import Mesh, MeshTriangle
 
 from mbncc_vision.msg import DetectedObject, DetectedObjectArray
 
-GONE_AFTER = rospy.Duration(5)
+GONE_AFTER = rospy.Duration(5)  # an arm may hide an object while it passes
 UPRIGHT = Pose(orientation=Quaternion(w=1))
 
 
@@ -41,9 +37,8 @@ class PlanningScene:
     def on_detections(self, array):
         if array.status not in (DetectedObjectArray.OK, DetectedObjectArray.BUDGET_EXCEEDED):
             return
-        for found in array.objects:
-            if found.state == DetectedObject.HELD or not found.pose_valid or not found.footprint.points:
-                continue
+        for found in (one for one in array.objects
+                      if one.state != DetectedObject.HELD and one.pose_valid and one.footprint.points):
             name = "%s_%d" % (found.name, found.instance_id)
             self.last_seen[name] = array.header.stamp
             self.scene.publish(CollisionObject(
