@@ -274,8 +274,6 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(
         // A search of its region does not propose the twin anywhere near it.
         Sequence{"that_a_search_passes_over", 313},
-        // Three objects lie on top of each other; the look-alike is found at only one of them.
-        Sequence{"found_at_a_neighbour", 83},
         // An instance replaces its look-alike, which was found in darker images.
         Sequence{"of_an_earlier_image", 2881},
         // Only the look-alike has been searched in the whole image since more places resemble both.

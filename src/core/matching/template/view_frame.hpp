@@ -12,10 +12,10 @@ namespace mbncc::templates {
 
 /// A view in the frame of its anchor, the centre of the map's excircle.
 struct ViewFrame {
-  double scale = 1;                  ///< of the view, relative to the lesson
-  Pose2D reference_in_anchor;        ///< [px],[rad] object frame as seen from the anchor
-  MapFootprint shape;                ///< area that the view covers
-  int symmetry = 1;                  ///< declared, otherwise measured
+  double scale = 1;            ///< of the view, relative to the lesson
+  Pose2D reference_in_anchor;  ///< [px],[rad] object frame as seen from the anchor
+  MapFootprint shape;          ///< area that the view covers
+  int symmetry = 1;            ///< declared, otherwise measured
   /// [px] from the anchor: turning about it by a part of the symmetry leaves the object as it is.
   cv::Point2d symmetry_centre;
   std::vector<cv::Point2f> outline;  ///< [px] largest outline in the object frame
