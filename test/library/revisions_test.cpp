@@ -43,6 +43,17 @@ TEST(ObjectLibrary, ANameLeftByARenameKeepsItsRevisions) {
   EXPECT_EQ(library.load()->find("wrench")->revision, 5u);
 }
 
+TEST(ObjectLibrary, WhatARenameLeftIsNotTheNewestRevisionOfItsOldName) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  library.save(random_model(1), Existing::kRefuse);
+  library.rename("wrench", "spanner", "");
+  EXPECT_THROW(library.restore("wrench"), std::exception) << "the spanner is no wrench";
+  library.save(random_model(2), Existing::kRefuse);
+  library.remove("wrench");
+  expect_equal(library.restore("wrench"), random_model(2));
+}
+
 // The object takes the higher revision of its new name before it is renamed.
 TEST(ObjectLibrary, ARenameToAUsedNameLeavesNoRevisionFree) {
   TemporaryFolder folder;

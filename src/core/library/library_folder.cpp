@@ -20,6 +20,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr const char* kRenamedEnding = ".renamed";
 constexpr std::size_t kMaxReason = 4096;  // [bytes]
 constexpr std::size_t kTrial = 1 << 20;   // [bytes] more than most objects need
 constexpr auto kLockPatience = 10s;
@@ -110,6 +111,10 @@ std::vector<QuarantinedFile> quarantined_files(const LibraryFolder& folder) {
   return files;
 }
 
+bool is_left_by_rename(const std::string& path) {
+  return ends_with(path, kRenamedEnding + std::string(kObjectFileEnding));
+}
+
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name) {
   std::map<std::uint32_t, std::string> revisions;
@@ -128,7 +133,8 @@ bool trashed_since(const LibraryFolder& folder, const std::string& name,
   const auto revisions = trashed_revisions(folder, name);
   return reason && std::any_of(revisions.begin(), revisions.end(), [&](const auto& revision) {
            const auto trashed = stamp_of(revision.second);
-           return trashed && trashed->changed_ns >= reason->changed_ns;
+           return trashed && !is_left_by_rename(revision.second) &&
+                  trashed->changed_ns >= reason->changed_ns;
          });
 }
 
@@ -187,12 +193,13 @@ void LockedFolder::write(const ObjectModel& model, const ObjectModel* keep_old) 
 }
 
 // The old file is linked into the trash before it is replaced, so that it exists at all times.
-std::string LockedFolder::link_to_trash(const ObjectModel& model) {
+std::string LockedFolder::link_to_trash(const ObjectModel& model, const std::string& ending) {
   make_inner_folder(folder_.trash());
   FolderSync trash_sync(folder_.trash());
   const std::string from = folder_.object_file(model.name);
-  const std::string to = free_path(
-      folder_.trash() + "/" + model.name + "." + std::to_string(model.revision), kObjectFileEnding);
+  const std::string to =
+      free_path(folder_.trash() + "/" + model.name + "." + std::to_string(model.revision) + ending,
+                kObjectFileEnding);
   if (::link(from.c_str(), to.c_str()) != 0) {
     // File systems without hard links get a copy instead.
     if (errno != EPERM && errno != EOPNOTSUPP && errno != EMLINK)
@@ -216,7 +223,7 @@ void LockedFolder::discard(const ObjectModel& model) {
 
 void LockedFolder::rename(const ObjectModel& model, const std::string& new_name) {
   FolderSync folder_sync(folder_.path);
-  const std::string in_trash = link_to_trash(model);
+  const std::string in_trash = link_to_trash(model, kRenamedEnding);
   try {
     rename_path(folder_.object_file(model.name), folder_.object_file(new_name));
   } catch (...) {

@@ -51,6 +51,9 @@ void check_file_name(const LibraryFolder& folder, const std::string& file);
 std::map<std::uint32_t, std::string> trashed_revisions(const LibraryFolder& folder,
                                                        const std::string& name);
 
+/// Whether a file of the trash was left by a rename: it keeps the revision from being used again.
+bool is_left_by_rename(const std::string& path);
+
 /// See ObjectLibrary::check_storage().
 void check_storage(const LibraryFolder& folder);
 
@@ -86,7 +89,8 @@ class LockedFolder {
 
  private:
   void quarantine(const std::string& file, const std::string& reason);
-  std::string link_to_trash(const ObjectModel& model);
+  /// `ending`: of the file's name, after the revision.
+  std::string link_to_trash(const ObjectModel& model, const std::string& ending = "");
 
   LibraryFolder folder_;
   FileDescriptor lock_;

@@ -142,10 +142,13 @@ ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revisi
   refuse_invalid(name);
   library::LockedFolder locked({folder_});
   const auto revisions = library::trashed_revisions({folder_}, name);
-  if (revision != 0 ? revisions.count(revision) == 0 : revisions.empty())
+  auto removed = revisions;  // what a rename left is another object by now
+  for (auto one = removed.begin(); one != removed.end();)
+    one = library::is_left_by_rename(one->second) ? removed.erase(one) : std::next(one);
+  if (revision != 0 ? revisions.count(revision) == 0 : removed.empty())
     refuse_missing({folder_}, name, revision, revisions);
   ObjectModel model =
-      revision != 0 ? read_object_file(revisions.at(revision)) : read_newest(revisions);
+      revision != 0 ? read_object_file(revisions.at(revision)) : read_newest(removed);
   const auto old = locked.read(name);
   model.revision = locked.next_revision(name, old.get());
   locked.write(model, old.get());

@@ -15,7 +15,12 @@ namespace {
 using sensor_msgs::CameraInfo;
 using sensor_msgs::CameraInfoConstPtr;
 
-constexpr std::size_t kMostStored = 100;  // more than the images that wait for a search
+constexpr double kSameStamp = 1e-6;  // [s] stamps of lessons were converted to double
+constexpr int kPairs = 3;  // successive images with a calibration of their own, from which on each
+                           // is expected to have one
+constexpr std::chrono::seconds kPatience{1};  // for the next image with a calibration of its own
+constexpr std::chrono::seconds kSettled{2};   // after which a calibration that changed is in force
+constexpr std::size_t kMostStored = 100;      // more than the images that wait for a search
 
 /// The serialized calibration without its header, because NaN would differ from itself.
 std::vector<std::uint8_t> content_of(CameraInfo info) {
@@ -42,12 +47,14 @@ void CameraInfoHistory::add(const CameraInfoConstPtr& info, Clock::time_point no
 
 void CameraInfoHistory::clear() {
   received_.clear();
-  paired_ = false;
+  pairs_ = 0;
+  lacking_since_.reset();
 }
 
 bool CameraInfoHistory::is_awaited(const ros::Time& stamp) const {
-  return paired_ && std::all_of(received_.begin(), received_.end(), [&](const Received& received) {
-           return received.info->header.stamp < stamp;
+  return pairs_ >= kPairs &&
+         std::all_of(received_.begin(), received_.end(), [&](const Received& received) {
+           return is_before(received.info->header.stamp, stamp);
          });
 }
 
@@ -61,28 +68,50 @@ CameraInfoConstPtr CameraInfoHistory::newest(Clock::time_point now) const {
 
 CameraInfoConstPtr CameraInfoHistory::of_image(const std_msgs::Header& header, cv::Size size,
                                                Clock::time_point now) {
-  std::vector<CameraInfoConstPtr> fitting;
+  std::vector<Received> fitting;
   for (const auto& received : received_)
     if (!has_expired(received, now) && received.info->header.frame_id == header.frame_id &&
         image_size(*received.info) == size)
-      fitting.push_back(received.info);
-  const auto exact = std::find_if(
-      fitting.rbegin(), fitting.rend(),
-      [&](const CameraInfoConstPtr& info) { return info->header.stamp == header.stamp; });
+      fitting.push_back(received);
+  const auto exact = std::find_if(fitting.rbegin(), fitting.rend(), [&](const Received& received) {
+    return is_same(received.info->header.stamp, header.stamp);
+  });
+  if (exact != fitting.rend()) {
+    note_pair(header.stamp);
+    return exact->info;
+  }
   // An image given with a goal may be older than all of them.
-  const bool is_live = !fitting.empty() && header.stamp > fitting.front()->header.stamp;
-  const bool was_paired = is_live && paired_;
-  if (exact != fitting.rend() || is_live) paired_ = exact != fitting.rend();
-  if (exact != fitting.rend()) return *exact;
-  if (was_paired) return nullptr;
-  const auto after = std::find_if(
-      fitting.begin(), fitting.end(),
-      [&](const CameraInfoConstPtr& info) { return info->header.stamp > header.stamp; });
-  const std::vector<CameraInfoConstPtr> neighbours(
-      after - std::min<std::ptrdiff_t>(2, after - fitting.begin()),
-      after == fitting.end() ? after : after + 1);
-  if (neighbours.empty() || !are_equal(neighbours)) return nullptr;
-  return neighbours.back();
+  const bool is_live = !fitting.empty() && header.stamp > fitting.front().info->header.stamp;
+  if (is_live && lacks_its_own(now)) return nullptr;
+  return of_neighbours(fitting, header.stamp, now);
+}
+
+void CameraInfoHistory::note_pair(const ros::Time& stamp) {
+  if (!is_same(stamp, last_pair_)) ++pairs_;
+  last_pair_ = stamp;
+  lacking_since_.reset();
+}
+
+/// Whether an image without a calibration of its own has to wait for the next one that has one.
+bool CameraInfoHistory::lacks_its_own(Clock::time_point now) {
+  if (pairs_ >= kPairs && !lacking_since_) lacking_since_ = now;
+  if (lacking_since_ && now - *lacking_since_ < kPatience) return true;
+  pairs_ = 0;
+  lacking_since_.reset();
+  return false;
+}
+
+CameraInfoConstPtr CameraInfoHistory::of_neighbours(const std::vector<Received>& fitting,
+                                                    const ros::Time& stamp, Clock::time_point now) {
+  const auto after = std::find_if(fitting.begin(), fitting.end(), [&](const Received& received) {
+    return received.info->header.stamp > stamp;
+  });
+  const bool settled =
+      after == fitting.end() && !fitting.empty() && now - fitting.back().at > kSettled;
+  const std::ptrdiff_t before = settled ? 1 : 2;
+  const std::vector<Received> neighbours(after - std::min(before, after - fitting.begin()),
+                                         after == fitting.end() ? after : after + 1);
+  return neighbours.empty() || !are_equal(neighbours) ? nullptr : neighbours.back().info;
 }
 
 }  // namespace mbncc::nodelets

@@ -94,7 +94,8 @@ bool LessonDraft::overlaps_old_place() const {
 }
 
 bool LessonDraft::may_be_stored() const {
-  return learned_.error == LearnError::kSuccess || (learned_.has_model && goal_.allow_bad);
+  return !view_refused_ &&
+         (learned_.error == LearnError::kSuccess || (learned_.has_model && goal_.allow_bad));
 }
 
 StageObserver LessonDraft::observer() {
@@ -108,6 +109,7 @@ StageObserver LessonDraft::observer() {
 void LessonDraft::update() {
   feedback_.leave_if_interrupted();
   learned_ = interactive_->result();
+  view_refused_ = false;
   feedback_.set_place({});
   if (!learned_.has_model) return;
   feedback_.set_place(place_of(learned_.object.views.front()));
@@ -126,6 +128,7 @@ void LessonDraft::note_refused_further_view() {
   const auto refusal =
       note_refused_view(learned_.object, *stored, images_.before().image, tools_.search);
   if (!refusal) return;
+  view_refused_ = true;
   learned_.error = refusal->error;
   learned_.message = refusal->message;
   learned_.hint = refusal->hint;

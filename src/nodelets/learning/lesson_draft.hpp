@@ -44,6 +44,9 @@ class LessonDraft {
   /// Whether the verdict allows storing, or the goal allows the verdict BAD.
   bool may_be_stored() const;
 
+  /// Whether the further view would be refused, whatever its verdict.
+  bool is_view_refused() const { return view_refused_; }
+
   /// As in InteractiveLesson; the new result is compared and shown again.
   LearnResult edit(const LessonEdit& edit);
   bool undo();
@@ -61,6 +64,7 @@ class LessonDraft {
   LessonFeedback& feedback_;
   std::optional<InteractiveLesson> interactive_;
   LearnResult learned_;
+  bool view_refused_ = false;
 };
 
 }  // namespace mbncc::nodelets

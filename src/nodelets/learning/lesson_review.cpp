@@ -106,7 +106,9 @@ Request LessonReview::next_command() {
 void LessonReview::carry_out(const Request& command) {
   switch (command.command) {
     case Request::ACCEPT:
-      return answer(false, "the verdict is BAD; edit or reject, or teach with allow_bad");
+      return answer(false, draft_.is_view_refused()
+                               ? draft_.learned().message + " " + draft_.learned().hint
+                               : "the verdict is BAD; edit or reject, or teach with allow_bad");
     case Request::EDIT:
       return edit(command);
     case Request::UNDO: {

@@ -54,19 +54,42 @@ TEST_F(CameraInfoHistoryTest, WithoutItsStampTheNeighboursMustBeEqual) {
   EXPECT_EQ(of_image(4.5), 700);
 }
 
-TEST_F(CameraInfoHistoryTest, AnImageThatShouldHaveItsOwnCalibrationGetsNoOther) {
-  receive(1, 500);
-  receive(2, 500);
-  EXPECT_FALSE(history_.is_awaited(ros::Time(3))) << "not known to come with the images";
-  EXPECT_EQ(of_image(2), 500);
-  EXPECT_TRUE(history_.is_awaited(ros::Time(3)));
-  EXPECT_FALSE(history_.is_awaited(ros::Time(2)));
+TEST_F(CameraInfoHistoryTest, AnImageThatShouldHaveItsOwnCalibrationGetsNoOtherForASecond) {
+  for (int i = 1; i <= 3; ++i) {
+    EXPECT_FALSE(history_.is_awaited(ros::Time(i))) << "not known to come with the images";
+    receive(i, 500);
+    EXPECT_EQ(of_image(i), 500);
+    EXPECT_EQ(of_image(i), 500) << "another caller";
+  }
+  EXPECT_TRUE(history_.is_awaited(ros::Time(4)));
+  EXPECT_FALSE(history_.is_awaited(ros::Time(3)));
   EXPECT_EQ(of_image(0.5), 500) << "an older image, given with a goal";
-  EXPECT_EQ(of_image(3), 0) << "it may have changed";
-  EXPECT_FALSE(history_.is_awaited(ros::Time(4))) << "they no longer come with the images";
-  EXPECT_EQ(of_image(4), 500);
-  history_.clear();
-  EXPECT_FALSE(history_.is_awaited(ros::Time(5)));
+  for (const double stamp : {4., 4., 5.}) EXPECT_EQ(of_image(stamp), 0) << "it may have changed";
+  now_ += std::chrono::seconds(2);
+  EXPECT_EQ(of_image(6), 500) << "they no longer come with the images";
+  EXPECT_FALSE(history_.is_awaited(ros::Time(7)));
+}
+
+TEST_F(CameraInfoHistoryTest, ACalibrationOfEverySecondImageSuffices) {
+  for (int i = 1; i <= 20; ++i) {
+    if (i % 2 == 1) receive(i, 500);
+    EXPECT_EQ(of_image(i), 500) << i;
+  }
+}
+
+TEST_F(CameraInfoHistoryTest, ANewCalibrationThatIsPublishedOnceIsInForceAfterTwoSeconds) {
+  receive(1, 500);
+  receive(2, 700);
+  EXPECT_EQ(of_image(3), 0);
+  now_ += std::chrono::seconds(3);
+  EXPECT_EQ(of_image(6), 700);
+}
+
+TEST_F(CameraInfoHistoryTest, AStampThatWasConvertedToDoubleIsTheSame) {
+  const double stamp = 1795865050.458667190;
+  receive(stamp, 500);
+  receive(stamp + 0.033, 700);
+  EXPECT_EQ(of_image(stamp + 4e-7), 500);
 }
 
 TEST_F(CameraInfoHistoryTest, ACalibrationWithNanIsEqualToItself) {

@@ -171,10 +171,12 @@ Instance FrameSearch::instance_from(const Match& match) const {
   instance.match = match;
   const double reach = memory_.objects.at(match.name).reach();
   const auto is_known = [&](const Competitor& competitor) {
+    const double own_distance = cv::norm(match.pose.position() - competitor.position);
     return std::any_of(
         memory_.instances.all().begin(), memory_.instances.all().end(), [&](const Instance& one) {
           return one.match.name == match.name && !is_continued(one.match, match, reach) &&
-                 cv::norm(one.match.pose.position() - competitor.position) <= reach;
+                 cv::norm(one.match.pose.position() - competitor.position) <=
+                     std::min(reach, own_distance);
         });
   };
   auto& own = instance.match.competitors;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "matching/decision/conclusion.hpp"
+#include "matching/decision/margins.hpp"
 
 namespace mbncc::incremental_search {
 namespace {
@@ -121,7 +122,7 @@ Instance* InstanceList::admit(Instance found, double reach) {
 
 void InstanceList::compare(Instance& instance, const Rival& rival) const {
   const bool same = instance.match.name == rival.name;
-  const bool here = outline_overlap(instance.match.outline, rival.outline) > max_overlap_;
+  const bool here = outline_overlap(instance.match.outline, rival.outline) > decision::kOnePlace;
   if (same ? here || !rival.in_roi || is_explained(rival) : !here) return;
   std::optional<Competitor>* best = &instance.elsewhere;
   if (!same) {
@@ -135,7 +136,7 @@ void InstanceList::compare(Instance& instance, const Rival& rival) const {
 
 bool InstanceList::is_explained(const Rival& rival) const {
   return std::any_of(instances_.begin(), instances_.end(), [&](const Instance& one) {
-    return outline_overlap(one.match.outline, rival.outline) > max_overlap_;
+    return outline_overlap(one.match.outline, rival.outline) > decision::kOnePlace;
   });
 }
 

@@ -22,9 +22,14 @@ bool turned(const Detection& a, const Detection& b) {
   return angle_distance(object_angle(a), object_angle(b), b.view->symmetry) > kOtherAngle;
 }
 
-/// Whether both the anchors and the reference points lie apart. At equivalent angles of a symmetric
-/// object, or in two of its views, only one of them may.
+cv::Point2d symmetry_centre(const Detection& detection) {
+  return transform(detection.pose, detection.scale * detection.view->symmetry_centre);
+}
+
+/// Whether both the anchors and the reference points lie apart: those of two views of one pose may
+/// do so one at a time. Those of a symmetric object turn with equivalent angles.
 bool displaced(const Detection& a, const Detection& b) {
+  if (b.view->symmetry != 1) return cv::norm(symmetry_centre(a) - symmetry_centre(b)) >= kDisplaced;
   return cv::norm(a.pose.position() - b.pose.position()) >= kDisplaced &&
          cv::norm(object_pose(a).position() - object_pose(b).position()) >= kDisplaced;
 }
@@ -79,10 +84,11 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
 }
 
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
-                                 const std::vector<const Detection*>& accepted) {
+                                 const std::vector<const Detection*>& accepted,
+                                 double max_overlap) {
   const auto explained = [&](const Detection& other) {
     return std::any_of(accepted.begin(), accepted.end(), [&](const Detection* one) {
-      return one == &other || overlapping(other, *one);
+      return one == &other || overlapping(other, *one, std::min(max_overlap, kOnePlace));
     });
   };
   return best_competitor(detection, all, [&](const Detection& other) {

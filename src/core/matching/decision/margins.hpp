@@ -34,10 +34,10 @@ double angle_margin(const Detection& detection, const std::vector<Detection>& al
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,
                        const std::map<std::string, double>& elsewhere);
 
-/// The best other place of the same object that does not belong to an accepted instance; null:
-/// none.
+/// The best other place of the same object that does not belong to an accepted instance, as it does
+/// by more than `max_overlap`; null: none.
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
-                                 const std::vector<const Detection*>& accepted);
+                                 const std::vector<const Detection*>& accepted, double max_overlap);
 
 /// The best pose of the same object at the same angle that overlaps the detection but is displaced
 /// by 3 px or more, as by one pitch of a periodic part whose end is hidden; null: none.

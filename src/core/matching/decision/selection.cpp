@@ -83,7 +83,7 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.score = acceptance_score(detection, config);
   match.odds = detection.odds;
   match.similarity = detection.similarity;
-  for (const Detection* other : {competing_place(detection, all, accepted),
+  for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
                                  competing_shift(detection, all), competing_object(detection, all)})
     if (other) match.competitors.push_back(competitor_of(match, detection, *other));
   match.margin_angle = angle_margin(detection, all);
