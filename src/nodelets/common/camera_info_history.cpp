@@ -32,10 +32,20 @@ std::vector<std::uint8_t> content_of(CameraInfo info) {
   return bytes;
 }
 
-bool are_equal(const std::vector<CameraInfoConstPtr>& infos) {
-  const auto content = content_of(*infos.front());
+/// Whether all of these calibrations are equal.
+template <class Infos>
+bool are_equal(const Infos& infos) {
+  const auto content = content_of(*infos.front().info);
   return std::all_of(infos.begin() + 1, infos.end(),
-                     [&](const CameraInfoConstPtr& info) { return content_of(*info) == content; });
+                     [&](const auto& received) { return content_of(*received.info) == content; });
+}
+
+bool is_before(const ros::Time& a, const ros::Time& b) {
+  return b.toSec() - a.toSec() > kSameStamp;  // a difference of ros::Time may throw
+}
+
+bool is_same(const ros::Time& a, const ros::Time& b) {
+  return !is_before(a, b) && !is_before(b, a);
 }
 
 }  // namespace
