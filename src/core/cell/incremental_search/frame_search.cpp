@@ -165,26 +165,15 @@ bool FrameSearch::is_settled(const cv::Rect& box) const {
 }
 
 /// An instance that has not been compared with other objects yet: of the match's competitors, only
-/// those of its own name are kept that are no other known instance.
+/// those of its own name are kept.
 Instance FrameSearch::instance_from(const Match& match) const {
   Instance instance;
   instance.match = match;
-  const double reach = memory_.objects.at(match.name).reach();
-  const auto is_known = [&](const Competitor& competitor) {
-    const double own_distance = cv::norm(match.pose.position() - competitor.position);
-    return std::any_of(
-        memory_.instances.all().begin(), memory_.instances.all().end(), [&](const Instance& one) {
-          return one.match.name == match.name && !is_continued(one.match, match, reach) &&
-                 cv::norm(one.match.pose.position() - competitor.position) <=
-                     std::min(reach, own_distance);
-        });
-  };
   auto& own = instance.match.competitors;
-  own.erase(std::remove_if(own.begin(), own.end(),
-                           [&](const Competitor& competitor) {
-                             return competitor.name != match.name || is_known(competitor);
-                           }),
-            own.end());
+  own.erase(
+      std::remove_if(own.begin(), own.end(),
+                     [&](const Competitor& competitor) { return competitor.name != match.name; }),
+      own.end());
   instance.in_motion = is_in_motion(instance.box());
   return instance;
 }
