@@ -24,8 +24,7 @@ struct Lens {
 /// Message if there is no calibration for an image.
 constexpr char kNoCameraInfo[] =
     "no camera_info of this image's size and frame was received within max_info_age, or it has "
-    "just "
-    "changed; compare its topic, size, frame_id and stamp with those of the images";
+    "just changed; compare its topic, size, frame_id and stamp with those of the images";
 
 /// Size of the images that the calibration applies to: the region of interest after binning. Empty
 /// if the message contradicts itself.

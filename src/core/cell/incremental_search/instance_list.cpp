@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "matching/decision/conclusion.hpp"
-#include "matching/decision/margins.hpp"
+#include "matching/decision/detection.hpp"
 
 namespace mbncc::incremental_search {
 namespace {

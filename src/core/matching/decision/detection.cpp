@@ -7,10 +7,9 @@
 namespace mbncc::decision {
 
 bool at_one_place(const Detection& a, const Detection& b) {
-  constexpr double kApart = 0.4;     // [radii] largest distance of one place
-  constexpr double kOverlap = 0.25;  // least overlap; long parts side by side lie at two places
+  constexpr double kApart = 0.4;  // [radii] largest distance of one place
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius() &&
-         templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOverlap;
+         templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOnePlace;
 }
 
 cv::Point2d lever_of(const Detection& detection) {

@@ -49,7 +49,10 @@ struct Detection {
 /// print penalty does not count, because gloss may cause it at one rotation and not at another.
 constexpr double kComparable = 8;
 
-/// Whether two detections are at one place.
+/// Overlap of two maps [0..1] of the smaller one from which on they compete for one place.
+constexpr double kOnePlace = 0.25;
+
+/// Whether two detections are at one place. Long parts side by side lie at two.
 bool at_one_place(const Detection& a, const Detection& b);
 
 /// Reference point [px] relative to the anchor, at the scale of the detection.

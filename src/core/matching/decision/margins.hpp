@@ -16,9 +16,6 @@ constexpr double kNoCompetitor = 20;
 /// Log-odds of `other` as a competitor of `detection`, see LogOdds::of_competitor().
 double log_odds_against(const Detection& detection, const Detection& other);
 
-/// Overlap of two maps [0..1] of the smaller one from which on they compete for one place.
-constexpr double kOnePlace = 0.25;
-
 /// Whether two detections overlap by more than `most` [0..1] of the smaller map.
 bool overlapping(const Detection& a, const Detection& b, double most = kOnePlace);
 
