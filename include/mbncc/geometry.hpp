@@ -67,6 +67,10 @@ Pose2D compose(const Pose2D& outer, const Pose2D& inner);
 
 Pose2D inverse(const Pose2D& pose);
 
+/// Covariance of the pose (x, y, theta) of a frame that lies `lever` [px] off the one with
+/// `covariance` and is rotated with it.
+cv::Matx33d covariance_at(const cv::Matx33d& covariance, cv::Point2d lever);
+
 /// Mean position of the non-zero pixels. Throws std::invalid_argument if `map` has none.
 cv::Point2d centroid(const cv::Mat& map);
 

@@ -193,6 +193,32 @@ TEST_F(DecisionTest, WhatLiesOutsideTheRegionIsNotReported) {
   EXPECT_TRUE(confused.matches[0].ambiguous);
 }
 
+// The symmetry centre lies 100 px to the right of the reference point.
+TEST_F(DecisionTest, ASymmetricObjectIsReportedAtTheEquivalentPoseInTheRegion) {
+  const Pose2D here = decision::object_pose(sound());
+  for (const int symmetry : {0, 1, 2, 4}) {
+    templates::ViewFrame view = *sound().view;
+    view.symmetry = symmetry;
+    view.symmetry_centre =
+        transform(inverse(sound().pose), here.position() + cv::Point2d(100, 0)) / sound().scale;
+    const auto detection = changed([&](decision::Detection& d) { d.view = &view; });
+    decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {}, 0};
+    const cv::Point below(cvRound(here.x) + 100, cvRound(here.y) + 100);
+    const cv::Point right(cvRound(here.x) + 200, cvRound(here.y));
+    for (const auto& expected : {below, right}) {
+      acceptance.roi = cv::Rect(expected.x - 5, expected.y - 5, 11, 11);
+      const auto matches = decision::select_matches({detection}, acceptance).matches;
+      const bool equivalent = symmetry != 1 && (symmetry != 2 || expected == right);
+      ASSERT_EQ(matches.size(), equivalent ? 1u : 0u) << symmetry << " " << expected;
+      if (!equivalent) continue;
+      const Pose2D& pose = matches[0].pose;
+      EXPECT_LT(cv::norm(pose.position() - cv::Point2d(expected)), 1);
+      EXPECT_NEAR(angle_distance(pose.theta - here.theta, expected == right ? kPi : -kPi / 2), 0,
+                  0.02);
+    }
+  }
+}
+
 TEST_F(DecisionTest, AMuchBetterInstanceOutsideTheRegionPreventsAGrasp) {
   const decision::Detection likely =
       changed([](decision::Detection& d) { d.odds.best_at_place = 6; });

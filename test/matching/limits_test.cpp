@@ -60,6 +60,29 @@ TEST_F(Limits, ThresholdsChangeAtOnce) {
   EXPECT_TRUE(matcher.find(scene_).matches.empty());
 }
 
+TEST(LowImages, AreReportedAsNotSearchedForALargeObject) {
+  cv::Mat map = cv::Mat::zeros(420, 420, CV_8UC1);
+  map(cv::Rect(20, 20, 380, 380)) = 255;
+  const LearningImage large(7, map);
+  const cv::Mat scene = texture({480, 240}, 50, 4);
+  for (const std::string engine : {"fast", "polar"}) {
+    SearchConfig config;
+    config.engine = engine;
+    Matcher matcher(config);
+    matcher.set_objects({object_from(large, {210, 210, 0})});
+    for (const int height : {16, 240}) {
+      const cv::Mat strip = scene.rowRange(0, height);
+      for (const cv::Mat& image : {strip, cv::Mat(strip.t())}) {
+        const SearchResult result = matcher.find(image);
+        EXPECT_EQ(result.searched.size(), height == 16 ? 0u : 1u) << engine;
+        ASSERT_EQ(result.skipped.size(), height == 16 ? 1u : 0u) << engine;
+        for (const auto& reason : result.skipped)
+          EXPECT_NE(reason.find("px wide or high"), std::string::npos);
+      }
+    }
+  }
+}
+
 // A bent strip of five pixels, of which hardly anything is left at the coarse levels.
 TEST_F(Limits, NarrowObjectsAreFoundUnderNoiseAndInAnotherLight) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);

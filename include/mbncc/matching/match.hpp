@@ -66,6 +66,10 @@ struct Match {
   double log_odds() const { return odds.total(); }
 };
 
+/// `match` at another of the poses that its symmetry makes equivalent, turned about the centre of
+/// symmetry: the one whose angle is the nearest to `theta` [rad].
+Match equivalent_towards(double theta, Match match);
+
 /// A candidate that was considered but not reported, because it is weak, overlaps a better one, or
 /// lies outside SearchRequest::roi.
 struct Rival {

@@ -18,7 +18,9 @@ namespace mbncc {
 /// A search request. Its defaults select what is configured.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
-  cv::Rect roi;                    ///< [px] must contain the reference points; empty: whole image
+  /// [px] Must contain the reference points, of symmetric objects at one of the equivalent poses,
+  /// which is then reported. May exceed the image. Empty: everywhere.
+  cv::Rect roi;
   double min_score = -1;           ///< negative: the configured one, or the object's own
   int max_instances = 0;           ///< 0: the configured one
   /// Total number of objects if this request is part of a larger search whose objects are searched

@@ -67,6 +67,11 @@ Pose2D compose(const Pose2D& outer, const Pose2D& inner) {
   return {position.x, position.y, wrap_angle(outer.theta + inner.theta)};
 }
 
+cv::Matx33d covariance_at(const cv::Matx33d& covariance, cv::Point2d lever) {
+  const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
+  return jacobian * covariance * jacobian.t();
+}
+
 Pose2D inverse(const Pose2D& pose) {
   const cv::Point2d position = rotate(-pose.position(), -pose.theta);
   return {position.x, position.y, wrap_angle(-pose.theta)};

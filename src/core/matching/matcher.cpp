@@ -12,6 +12,7 @@
 #include "matching/decision/selection.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/proposal/ncc_search.hpp"
+#include "matching/scene/grey_image.hpp"
 #include "matching/search/colour_cast.hpp"
 #include "matching/search/object_search.hpp"
 #include "matching/search/occupied_search.hpp"
@@ -131,8 +132,9 @@ struct Matcher::Implementation {
   std::shared_ptr<const prepared::PreparedObject> prepare(
       const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const;
 
-  /// The requested objects; the reasons of the others go to `result.skipped`.
-  ObjectList wanted(const SearchRequest& request, SearchResult& result) const;
+  /// The requested objects that can be searched for in an image of this size; the reasons of the
+  /// others go to `result.skipped`.
+  ObjectList wanted(const SearchRequest& request, cv::Size image, SearchResult& result) const;
 
   /// Searches `image` for `wanted`, and again after removal of a colour cast estimated from the
   /// detections, unless the time budget ends that search: all detections are of one image, so that
@@ -161,25 +163,29 @@ std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::prepare
   return prepared;
 }
 
-ObjectList Matcher::Implementation::wanted(const SearchRequest& request,
+ObjectList Matcher::Implementation::wanted(const SearchRequest& request, cv::Size image,
                                            SearchResult& result) const {
-  ObjectList chosen;
-  if (request.names.empty()) {
-    std::copy_if(objects.begin(), objects.end(), std::back_inserter(chosen),
-                 [](const auto& object) { return object->model->enabled; });
-    for (const auto& [name, reason] : unsearchable) result.skipped.push_back(name + ": " + reason);
-    return chosen;
+  std::vector<std::string> names = request.names;
+  if (names.empty()) {
+    for (const auto& [name, reason] : unsearchable) names.push_back(name);
+    for (const auto& object : objects)
+      if (object->model->enabled) names.push_back(object->model->name);
   }
-  for (const auto& name : request.names) {
+  ObjectList chosen;
+  for (const auto& name : names) {
     const auto at = std::find_if(objects.begin(), objects.end(),
                                  [&](const auto& object) { return object->model->name == name; });
     const auto fault = unsearchable.find(name);
+    const int least = at == objects.end() ? 0 : (*at)->least_image();
     if (fault != unsearchable.end())
       result.skipped.push_back(name + ": " + fault->second);
     else if (at == objects.end())
       result.skipped.push_back(name + ": unknown");
     else if (!(*at)->model->enabled)
       result.skipped.push_back(name + ": disabled");
+    else if (std::min(image.width, image.height) < least)
+      result.skipped.push_back(name + ": the image is less than " + std::to_string(least) +
+                               " px wide or high");
     else if (std::find(chosen.begin(), chosen.end(), *at) == chosen.end())
       chosen.push_back(*at);
   }
@@ -293,14 +299,14 @@ void Matcher::set_limits(double min_score, int max_instances) {
 
 cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) const {
   SearchResult ignored;
-  const ObjectList objects = implementation_->wanted(request, ignored);
+  const ObjectList objects = implementation_->wanted(request, image.size(), ignored);
   const auto scene = implementation_->scenes.prepare(image, top_level(objects));
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
-      const int level = view.template_bank.level;
-      if (!view.template_bank.searched() || level > scene->top_level()) continue;
-      const cv::Mat coarse = proposal::coarse_similarity(view.template_bank, scene->grey[level]);
+      if (!view.template_bank.searched()) continue;
+      const cv::Mat coarse =
+          proposal::coarse_similarity(view.template_bank, scene->grey[view.template_bank.level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);
@@ -310,8 +316,9 @@ cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) c
 
 SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) const {
   const auto start = Clock::now();
+  scene::check_searchable(image);
   SearchResult result;
-  const ObjectList objects = implementation_->wanted(request, result);
+  const ObjectList objects = implementation_->wanted(request, image.size(), result);
   const SearchState findings = implementation_->search(objects, image, request, start);
   note_searched(objects, findings, result);
   decision::Selection selection = decision::select_matches(

@@ -16,7 +16,6 @@ TEST(PendingRegions, AnEmptyListHasNoNextRegion) {
   const PendingRegions pending;
   EXPECT_FALSE(pending.next(equally_urgent).has_value());
   EXPECT_FALSE(pending.contains("part"));
-  EXPECT_FALSE(pending.is_open(kHere));
 }
 
 TEST(PendingRegions, MostUrgentComesFirst) {
@@ -42,9 +41,9 @@ TEST(PendingRegions, CompletedRegionsAreClosed) {
   pending.add("b", kHere);
   pending.complete("a", kHere);
   EXPECT_FALSE(pending.contains("a"));
-  EXPECT_TRUE(pending.is_open({0, 0, 20, 20}));
+  EXPECT_TRUE(pending.contains("b"));
   pending.complete("b", kHere);
-  EXPECT_FALSE(pending.is_open({0, 0, 20, 20}));
+  EXPECT_FALSE(pending.contains("b"));
 }
 
 TEST(PendingRegions, JoinsOnlyRegionsThatNearlyCoverEachOther) {

@@ -11,8 +11,6 @@
 namespace mbncc::incremental_search {
 namespace {
 
-// Largest distance from a change to a searched reference point, as a part of the object's radius.
-constexpr double kOverhang = 0.35;
 constexpr int kMostSearches = 10;  // searches for an instance at rest, whose poses are averaged
 
 cv::Rect square_about(const cv::Point2d& middle, double reach) {
@@ -49,7 +47,7 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
       search_(matcher, image, one_by_one(matcher, memory.request)) {
   drop_removed_objects(memory_.objects.update(matcher.objects()));
   for (const auto& [name, object] : memory_.objects.all())
-    if (object.swept_at == SearchedObject::kNever) memory_.pending.add(name, search_.whole());
+    if (object.swept_at == SearchedObject::kNever) memory_.pending.add(name, everywhere());
   memory_.changes.update(stamp, image);
 }
 
@@ -126,11 +124,11 @@ void FrameSearch::compare(const SearchResult& result, const cv::Rect& region) {
 }
 
 void FrameSearch::rebuild_instances() {
-  const SearchResult result = search(search_.whole(), memory_.objects.names());
+  const SearchResult result = search(everywhere(), memory_.objects.names());
   memory_.instances.all().clear();
   memory_.hidden.clear();
   for (const auto& name : memory_.objects.names()) {
-    memory_.pending.add(name, search_.whole());  // in case the time budget ended before it
+    memory_.pending.add(name, everywhere());  // in case the time budget ended before it
     memory_.objects.at(name).urgent = true;
   }
   for (const auto& name : result.searched) note_swept(name, result);
@@ -138,7 +136,7 @@ void FrameSearch::rebuild_instances() {
     memory_.instances.all().push_back(instance_from(match));
     memory_.instances.all().back().compared_elsewhere = true;
   }
-  compare(result, search_.whole());
+  compare(result, everywhere());
 }
 
 void FrameSearch::note_swept(const std::string& name, const SearchResult& result) {
@@ -154,8 +152,7 @@ void FrameSearch::note_swept(const std::string& name, const SearchResult& result
 void FrameSearch::note_settled() {
   for (const auto& place : memory_.changes.settled())
     for (const auto& [name, object] : memory_.objects.all())
-      memory_.pending.add(
-          name, imaging::grown(place, cvRound(kOverhang * object.radius)) & search_.whole());
+      memory_.pending.add(name, imaging::grown(place, cvCeil(object.overhang)));
 }
 
 bool FrameSearch::is_settled(const cv::Rect& box) const {
@@ -241,7 +238,7 @@ void FrameSearch::sweep() {
 }
 
 void FrameSearch::sweep_for(const std::string& name) {
-  const SearchResult result = search(search_.whole(), {name});
+  const SearchResult result = search(everywhere(), {name});
   if (result.searched.empty()) return;
   note_swept(name, result);
   const auto before =
@@ -252,7 +249,7 @@ void FrameSearch::sweep_for(const std::string& name) {
     admitted->compared_elsewhere = true;
     admitted->elsewhere.reset();
   }
-  compare(result, search_.whole());
+  compare(result, everywhere());
 }
 
 /// Searches the pending regions of objects of at least this urgency, within max_search_cost.
@@ -349,7 +346,12 @@ void FrameSearch::schedule_place(const Instance& one) {
 
 /// Region [px] of the reference points of all poses of object `name` that may touch `box`.
 cv::Rect FrameSearch::touching(const cv::Rect& box, const std::string& name) const {
-  return imaging::grown(box, cvCeil(memory_.objects.at(name).radius)) & search_.whole();
+  return imaging::grown(box, cvCeil(memory_.objects.at(name).radius)) & everywhere();
+}
+
+/// Region [px] of the reference points of all poses of all objects that may touch the image.
+cv::Rect FrameSearch::everywhere() const {
+  return imaging::grown(search_.whole(), cvCeil(memory_.objects.largest_radius()));
 }
 
 }  // namespace mbncc::incremental_search

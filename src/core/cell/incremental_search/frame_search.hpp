@@ -53,6 +53,7 @@ class FrameSearch {
   void schedule_new_instance(const Instance& one);
   void schedule_place(const Instance& one);
   cv::Rect touching(const cv::Rect& box, const std::string& name) const;
+  cv::Rect everywhere() const;
 
   SearchMemory& memory_;
   const VideoConfig& config_;

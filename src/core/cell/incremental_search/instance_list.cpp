@@ -21,8 +21,10 @@ cv::Mat filled(const std::vector<cv::Point2f>& outline, const cv::Rect& box) {
   return area;
 }
 
-double distance(const Match& a, const Match& b) {
-  return cv::norm(a.pose.position() - b.pose.position());
+/// Distance [px] of the reference points, at equivalent poses.
+double distance(const Match& before, const Match& now) {
+  const Pose2D pose = equivalent_towards(before.pose.theta, now).pose;
+  return cv::norm(pose.position() - before.pose.position());
 }
 
 /// The rival as a competitor, with log-odds on the scale of `match`. The clutter of the two comes

@@ -2,6 +2,7 @@
 #include "cell/incremental_search/object_schedule.hpp"
 
 #include <algorithm>
+#include <opencv2/imgproc.hpp>
 #include <utility>
 
 namespace mbncc::incremental_search {
@@ -9,13 +10,24 @@ namespace {
 
 constexpr double kLeastReach = 16;   // [px] least reach
 constexpr double kReachShare = 0.5;  // reach as a part of the object's radius
+// A change may show a part of the object only: the distance of its excircle's centre from the
+// change, as a part of the excircle's radius.
+constexpr double kOverhang = 0.35;
 
-double radius_of(const ObjectModel& model) {
-  double radius = 0;
-  for (const auto& view : model.views)
+SearchedObject searched(std::shared_ptr<const ObjectModel> model) {
+  SearchedObject object;
+  for (const auto& view : model->views) {
+    std::vector<cv::Point2f> points;
     for (const auto& outline : outlines(view))
-      for (const auto& point : outline) radius = std::max(radius, cv::norm(point));
-  return radius;
+      points.insert(points.end(), outline.begin(), outline.end());
+    for (const auto& point : points) object.radius = std::max(object.radius, cv::norm(point));
+    cv::Point2f centre;
+    float excircle = 0;
+    cv::minEnclosingCircle(points, centre, excircle);
+    object.overhang = std::max(object.overhang, cv::norm(centre) + kOverhang * excircle);
+  }
+  object.model = std::move(model);
+  return object;
 }
 
 }  // namespace
@@ -35,7 +47,7 @@ std::vector<std::string> ObjectSchedule::update(
     if (known != before.end() && known->second.model == model)
       objects_.insert(before.extract(known));
     else
-      objects_[model->name] = {model, radius_of(*model)};
+      objects_[model->name] = searched(model);
   }
   std::vector<std::string> gone;
   for (const auto& [name, object] : before) gone.push_back(name);
@@ -51,6 +63,10 @@ std::vector<std::string> ObjectSchedule::names() const {
   std::vector<std::string> names;
   for (const auto& [name, object] : objects_) names.push_back(name);
   return names;
+}
+
+double ObjectSchedule::largest_radius() const {
+  return radius(names());
 }
 
 double ObjectSchedule::radius(const std::vector<std::string>& names) const {

@@ -17,6 +17,7 @@ struct SearchedObject {
 
   std::shared_ptr<const ObjectModel> model;
   double radius = 0;         ///< [px] of the maps about the reference point
+  double overhang = 0;       ///< [px] largest distance of the reference point from a change
   double swept_at = kNever;  ///< [s] last search of the whole image for the object
   bool urgent = true;        ///< the whole image must be searched for it at once
   bool lost = false;         ///< an instance has gone missing
@@ -47,6 +48,8 @@ class ObjectSchedule {
 
   /// The same among the urgent ones; none if there is none.
   std::optional<std::string> most_urgent() const;
+
+  double largest_radius() const;  ///< [px] of all objects
 
   /// Requested objects that cannot be searched for.
   std::vector<std::string> unavailable() const;

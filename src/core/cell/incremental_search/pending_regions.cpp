@@ -8,8 +8,12 @@ namespace {
 
 constexpr double kWaste = 1.3;  // largest area of a joined region relative to that of its parts
 
+double area(const cv::Rect& rect) {
+  return cv::Rect2d(rect).area();  // reference points may lie far from an object
+}
+
 bool worth_joining(const cv::Rect& a, const cv::Rect& b) {
-  return (a | b).area() <= kWaste * (a.area() + b.area() - (a & b).area());
+  return area(a | b) <= kWaste * (area(a) + area(b) - area(a & b));
 }
 
 }  // namespace
@@ -47,11 +51,6 @@ std::optional<PendingRegions::Pending> PendingRegions::next(const Urgency& urgen
 bool PendingRegions::contains(const std::string& name) const {
   return std::any_of(pending_.begin(), pending_.end(),
                      [&](const Pending& one) { return one.name == name; });
-}
-
-bool PendingRegions::is_open(const cv::Rect& region) const {
-  return std::any_of(pending_.begin(), pending_.end(),
-                     [&](const Pending& one) { return !(one.region & region).empty(); });
 }
 
 }  // namespace mbncc::incremental_search

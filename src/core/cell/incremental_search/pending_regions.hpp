@@ -36,9 +36,6 @@ class PendingRegions {
 
   bool contains(const std::string& name) const;
 
-  /// Whether a part of `region` [px] must still be searched for some object.
-  bool is_open(const cv::Rect& region) const;
-
  private:
   std::vector<Pending> pending_;  // oldest first
 };

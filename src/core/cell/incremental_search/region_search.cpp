@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cell/incremental_search/region_search.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "imaging/rectangles.hpp"
@@ -12,6 +13,12 @@ constexpr int kMargin = 12;          // [px] margin around the searched poses
 constexpr int kGrid = 16;            // [px] crops start at multiples, so that pyramids stay aligned
 constexpr double kMostCrop = 0.7;    // largest crop, as a part of the image
 constexpr double kLeastCost = 0.25;  // least cost of a search, relative to one of the whole image
+
+/// Widens the range [start, start + length) within [0, end) to at least `least`, if possible.
+void widen(int least, int end, int& start, int& length) {
+  length = std::min(std::max(length, least), end);
+  start = std::min(start, end - length);
+}
 
 void shift(SearchResult& result, cv::Point by) {
   for (auto& match : result.matches) {
@@ -32,12 +39,11 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
                                 double radius, const std::map<std::string, double>& clutter,
                                 const std::map<std::string, double>& elsewhere,
                                 const std::vector<Footprint>& occupied) {
-  cv::Rect roi = region & whole();
-  if (!request_.roi.empty()) roi &= request_.roi;
+  const cv::Rect roi = request_.roi.empty() ? region : region & request_.roi;
+  const cv::Rect crop = crop_about(region, radius);
   SearchResult result;
   result.searched = names;
-  if (roi.empty() || names.empty()) return result;
-  const cv::Rect crop = crop_about(region, radius);
+  if (roi.empty() || crop.empty() || names.empty()) return result;
   SearchRequest request = request_;
   request.names = names;
   request.roi = roi - crop.tl();
@@ -58,11 +64,16 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
   return result;
 }
 
+/// Empty if no object there can touch the image.
 cv::Rect RegionSearch::crop_about(const cv::Rect& region, double radius) const {
-  const cv::Rect wanted =
-      imaging::grown(region, static_cast<int>(std::ceil(radius)) + kMargin) & whole();
+  const int around = static_cast<int>(std::ceil(radius)) + kMargin;
+  cv::Rect wanted = imaging::grown(region, around) & whole();
+  if (wanted.empty()) return wanted;
+  // At the image's border, too, the crop must be large enough for the object's pyramid.
+  widen(2 * around, image_.cols, wanted.x, wanted.width);
+  widen(2 * around, image_.rows, wanted.y, wanted.height);
   const cv::Point low(wanted.x / kGrid * kGrid, wanted.y / kGrid * kGrid);
-  const cv::Rect crop(low, wanted.br());
+  const cv::Rect crop = cv::Rect(low, wanted.br()) & whole();
   return crop.area() < kMostCrop * whole().area() ? crop : whole();
 }
 

@@ -21,9 +21,9 @@ class RegionSearch {
 
   cv::Rect whole() const { return cv::Rect({0, 0}, image_.size()); }
 
-  /// Searches for objects whose reference points lie in `region` [px], in a crop just large enough
-  /// for objects of `radius` [px]. `clutter` is SearchResult::clutter of the whole image;
-  /// `elsewhere` and `occupied` are as in a SearchRequest for the whole image.
+  /// Searches for objects whose reference points lie in `region` [px], which may exceed the image,
+  /// in a crop just large enough for objects of `radius` [px]. `clutter` is SearchResult::clutter
+  /// of the whole image; `elsewhere` and `occupied` are as in a SearchRequest for the whole image.
   SearchResult find(const cv::Rect& region, const std::vector<std::string>& names, double radius,
                     const std::map<std::string, double>& clutter,
                     const std::map<std::string, double>& elsewhere,

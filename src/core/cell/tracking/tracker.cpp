@@ -23,26 +23,6 @@ double gate_of(const Match& match) {
   return std::max(kLeastGate, kGateShare * radius);
 }
 
-/// Of the angles of `match` that are equivalent by its symmetry, the one nearest to `last`.
-double nearest_angle(double last, const Match& match) {
-  if (match.symmetry == 0) return last;
-  return wrap_angle(last + std::remainder(match.pose.theta - last, 2 * kPi / match.symmetry));
-}
-
-/// `match` at the one of its equivalent poses whose angle is the nearest to that of `last`: turned
-/// about the centre of its symmetry.
-Match nearest_equivalent(const Match& last, Match match) {
-  if (match.symmetry == 1) return match;
-  const double theta = nearest_angle(last.pose.theta, match);
-  const cv::Point2d centre = match.pose.position() + match.to_symmetry_centre;
-  match.to_symmetry_centre = rotate(match.to_symmetry_centre, theta - match.pose.theta);
-  const cv::Point2d shift = centre - match.to_symmetry_centre - match.pose.position();
-  match.pose = {match.pose.x + shift.x, match.pose.y + shift.y, theta};
-  const cv::Matx33d jacobian(1, 0, -shift.y, 0, 1, shift.x, 0, 0, 1);
-  match.covariance = jacobian * match.covariance * jacobian.t();
-  return match;
-}
-
 bool angle_jumped(const Match& a, const Match& b) {
   return angle_distance(a.pose.theta, b.pose.theta, b.symmetry) > kAngleJump;
 }
@@ -128,7 +108,7 @@ double InstanceTracker::Track::distance_to(const Match& match, double stamp) con
   if (before.name != match.name || before.revision != match.revision)
     return std::numeric_limits<double>::infinity();
   const cv::Point2d way =
-      nearest_equivalent(before, match).pose.position() - before.pose.position();
+      equivalent_towards(before.pose.theta, match).pose.position() - before.pose.position();
   const double passed = stamp - last.seen_at;
   if (passed > kLongestGuess) return cv::norm(way);
   return std::min(cv::norm(way), cv::norm(way - velocity * passed));
@@ -173,7 +153,7 @@ InstanceTracker::Track& InstanceTracker::begin_track(double stamp, const Match& 
 
 void InstanceTracker::see(Track& track, const Match& found, double stamp) {
   const Match& before = track.last.match;
-  const Match match = nearest_equivalent(before, found);
+  const Match match = equivalent_towards(before.pose.theta, found);
   if (angle_jumped(before, match)) track.graspable.clear();
   if (stamp > track.last.seen_at)
     track.velocity =

@@ -5,6 +5,16 @@
 #include <cmath>
 
 namespace mbncc::decision {
+namespace {
+
+/// Whether `roi` is empty or contains `point`. [px]
+bool contains(const cv::Rect& roi, cv::Point2d point) {
+  constexpr double kHalf = 0.5;  // [px] a pixel's area reaches this far beyond its centre
+  return roi.empty() || (point.x >= roi.x - kHalf && point.y >= roi.y - kHalf &&
+                         point.x < roi.br().x - kHalf && point.y < roi.br().y - kHalf);
+}
+
+}  // namespace
 
 bool at_one_place(const Detection& a, const Detection& b) {
   constexpr double kApart = 0.4;  // [radii] largest distance of one place
@@ -29,12 +39,25 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   return outline;
 }
 
-bool reference_within(const Detection& detection, const cv::Rect& roi) {
-  if (roi.empty()) return true;
+Pose2D object_pose_within(const Detection& detection, const cv::Rect& roi) {
   const Pose2D pose = object_pose(detection);
-  constexpr double kHalf = 0.5;  // [px] a pixel's area reaches this far beyond its centre
-  return pose.x >= roi.x - kHalf && pose.y >= roi.y - kHalf && pose.x < roi.br().x - kHalf &&
-         pose.y < roi.br().y - kHalf;
+  const int symmetry = detection.view->symmetry;
+  if (symmetry == 1 || contains(roi, pose.position())) return pose;
+  const cv::Point2d centre =
+      transform(detection.pose, detection.scale * detection.view->symmetry_centre);
+  const cv::Point2d from = pose.position() - centre;
+  const cv::Point2d to = cv::Point2d(roi.tl() + roi.br()) / 2 - centre;
+  double turn = std::atan2(from.cross(to), from.dot(to));
+  if (symmetry > 1) {
+    const double part = 2 * kPi / symmetry;
+    turn = part * std::round(turn / part);
+  }
+  const cv::Point2d position = centre + rotate(from, turn);
+  return {position.x, position.y, wrap_angle(pose.theta + turn)};
+}
+
+bool reference_within(const Detection& detection, const cv::Rect& roi) {
+  return contains(roi, object_pose_within(detection, roi).position());
 }
 
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {

@@ -64,7 +64,12 @@ Pose2D object_pose(const Detection& detection);
 /// The view's largest outline at the detection. [px]
 std::vector<cv::Point2f> outline_at(const Detection& detection);
 
-/// Whether the reference point lies in `roi` [px]; true if that is empty.
+/// Pose of the object frame; if its reference point does not lie in `roi` [px], the one of the
+/// equivalent poses of a symmetric object with the reference point nearest to the middle of `roi`.
+Pose2D object_pose_within(const Detection& detection, const cv::Rect& roi);
+
+/// Whether the reference point lies in `roi` [px], of a symmetric object at an equivalent pose;
+/// true if that is empty.
 bool reference_within(const Detection& detection, const cv::Rect& roi);
 
 /// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest

@@ -47,9 +47,8 @@ void accept(const std::vector<Detection>& detections, const AcceptanceSettings& 
 /// the anchor displaces it, and so does another size of the object.
 cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever,
                                const Detection& detection) {
-  const cv::Matx33d jacobian(1, 0, -lever.y, 0, 1, lever.x, 0, 0, 1);
   const cv::Vec3d outwards(lever.x / detection.scale, lever.y / detection.scale, 0);
-  return jacobian * covariance * jacobian.t() + detection.scale_variance * outwards * outwards.t();
+  return covariance_at(covariance, lever) + detection.scale_variance * outwards * outwards.t();
 }
 
 /// Sets the calibration of all detections from their margins, before any of them is accepted.
@@ -142,7 +141,9 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   };
   accept(detections, acceptance, std::numeric_limits<int>::max(), is_other_instance, accepted);
   for (const Detection* detection : reported)
-    selection.matches.push_back(to_match(*detection, detections, accepted, acceptance));
+    selection.matches.push_back(
+        equivalent_towards(object_pose_within(*detection, acceptance.roi).theta,
+                           to_match(*detection, detections, accepted, acceptance)));
   selection.rivals = rivals_of(reported, detections, acceptance.roi);
   return selection;
 }

@@ -257,6 +257,13 @@ int PreparedObject::top_level() const {
   return top;
 }
 
+int PreparedObject::least_image() const {
+  int level = 0;
+  for (const auto& view : views)
+    level = std::max(level, view.polar ? view.polar->top_level() : view.top_level());
+  return imaging::kSmallestLevel << level;
+}
+
 void PreparedObject::make_rotations() const {
   for (const auto& view : views) {
     if (view.template_bank.searched()) view.template_bank.kernels.make();

@@ -74,6 +74,9 @@ struct PreparedObject {
 
   int top_level() const;
 
+  /// Least width and height [px] of an image in which the object can be searched for.
+  int least_image() const;
+
   /// Rotates all templates now instead of in the first search that needs them.
   void make_rotations() const;
 

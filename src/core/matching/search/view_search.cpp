@@ -72,7 +72,6 @@ class ViewSearch {
 
   std::vector<decision::Detection> run() {
     if (view_.polar) return judge_polar();
-    if (view_.top_level() > scene_.top_level()) return {};
     proposals_.search_contours(first_.budget.contour_proposals);
     std::vector<templates::Candidate> candidates = best_by_edges();
     if (everywhere_ && !is_certain(candidates))
@@ -181,9 +180,8 @@ class ViewSearch {
   /// Verifies the poses of the paper's search without aligning them.
   std::vector<decision::Detection> judge_polar() const {
     std::vector<PoseHypothesis> found;
-    if (view_.polar->top_level() <= scene_.top_level())
-      for (const auto& one : view_.polar->find(scene_.grey, roi_))
-        found.push_back(score_as_is(view_, scene_, one.pose));
+    for (const auto& one : view_.polar->find(scene_.grey, roi_))
+      found.push_back(score_as_is(view_, scene_, one.pose));
     return verify(object_, view_, scene_, found);
   }
 
