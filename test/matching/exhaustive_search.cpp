@@ -64,7 +64,6 @@ std::vector<Match> find_exhaustively(const ObjectModel& object, const cv::Mat& i
     match.revision = object.revision;
     match.pose = compose(pose.pose, reference);
     match.similarity = match.score = pose.value;
-    match.visible = shape.visible(pose.pose, searched.size());
     matches.push_back(match);
   }
   return matches;

@@ -30,11 +30,6 @@ inline cv::Point2d from_level(cv::Point2d point, int level) {
   return {(point.x + 0.5) * side - 0.5, (point.y + 0.5) * side - 0.5};
 }
 
-inline Pose2D to_level(const Pose2D& pose, int level) {
-  const cv::Point2d position = to_level(pose.position(), level);
-  return {position.x, position.y, pose.theta};
-}
-
 inline Pose2D from_level(const Pose2D& pose, int level) {
   const cv::Point2d position = from_level(pose.position(), level);
   return {position.x, position.y, pose.theta};

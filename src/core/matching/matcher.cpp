@@ -154,11 +154,10 @@ std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::known(
 
 std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::prepare(
     const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const {
-  const prepared::Engine engine =
-      config.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
   auto prepared = known(object.get());
   if (!prepared)
-    prepared = std::make_shared<const prepared::PreparedObject>(object, engine, config.scale_range);
+    prepared = std::make_shared<const prepared::PreparedObject>(object, prepared::engine_of(config),
+                                                                config.scale_range);
   if (!for_one_search) prepared->make_rotations();
   return prepared;
 }
@@ -321,12 +320,11 @@ SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) c
   const ObjectList objects = implementation_->wanted(request, image.size(), result);
   const SearchState findings = implementation_->search(objects, image, request, start);
   note_searched(objects, findings, result);
-  decision::Selection selection = decision::select_matches(
-      all_of(findings), implementation_->acceptance(request, objects.size()));
+  const auto acceptance = implementation_->acceptance(request, objects.size());
+  decision::Selection selection = decision::select_matches(all_of(findings), acceptance);
   result.matches = std::move(selection.matches);
   doubt_without_comparison(objects, findings, implementation_->config, result.matches);
-  result.limited = names_at_limit(
-      result.matches, implementation_->acceptance(request, objects.size()).max_instances);
+  result.limited = names_at_limit(result.matches, acceptance.max_instances);
   result.rivals = std::move(selection.rivals);
   result.clutter = std::move(selection.clutter);
   result.search_time = seconds_since(start);

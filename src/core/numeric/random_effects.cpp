@@ -29,12 +29,12 @@ struct Pull3 {
 
 }  // namespace
 
-double RandomEffects::variance() const {
+double random_effects_variance(const std::vector<NormalEquations>& estimates, double radius) {
   Pull3 sum;
   cv::Matx33d products;
   double squares = 0, freedom = 0;
-  for (const auto& one : pulls_) {
-    const Pull3 pull(one, radius_);
+  for (const auto& one : estimates) {
+    const Pull3 pull(one, radius);
     sum.information += pull.information;
     sum.vector += pull.vector;
     products += pull.information * pull.information;

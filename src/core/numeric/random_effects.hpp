@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Random-effects variance of several estimates of one pose.
+// Disagreement of several estimates of one pose.
 #pragma once
 
 #include <vector>
@@ -8,20 +8,9 @@
 
 namespace mbncc::numeric {
 
-class RandomEffects {
- public:
-  /// `radius` [px] of the object; it makes rotations comparable with shifts.
-  explicit RandomEffects(double radius) : radius_(radius) {}
-
-  void add(const NormalEquations& pull) { pulls_.push_back(pull); }
-
-  /// Variance [px^2] between the estimates' shifts and rotations in excess of their covariances
-  /// (random-effects model of DerSimonian and Laird).
-  double variance() const;
-
- private:
-  double radius_;
-  std::vector<NormalEquations> pulls_;
-};
+/// Variance [px^2] between the estimates' shifts and rotations in excess of their covariances
+/// (random-effects model of DerSimonian and Laird). `radius` [px] of the object makes rotations
+/// comparable with shifts.
+double random_effects_variance(const std::vector<NormalEquations>& estimates, double radius);
 
 }  // namespace mbncc::numeric

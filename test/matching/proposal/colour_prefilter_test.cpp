@@ -82,25 +82,5 @@ TEST(SearchMask, MapsPositionsOfEveryLevelToTheirCells) {
   EXPECT_NE(stepped.at<uchar>(3, 6), 0);
 }
 
-TEST(SearchMask, SpansCoverWantedPositionsInWholeGroups) {
-  cv::RNG random(5);
-  for (int round = 0; round < 200; ++round) {
-    const int group = 8, count = group * random.uniform(1, 9);
-    std::vector<uchar> row(static_cast<std::size_t>(count));
-    for (auto& value : row) value = random.uniform(0, 12) == 0 ? 255 : 0;
-    std::vector<int> covered(row.size(), 0);
-    for (const auto& span : covering_spans(row.data(), count, group)) {
-      EXPECT_EQ((span.end - span.begin) % group, 0);
-      ASSERT_GE(span.begin, 0);
-      ASSERT_LE(span.end, count);
-      for (int x = span.begin; x < span.end; ++x) covered[static_cast<std::size_t>(x)] = 1;
-    }
-    for (std::size_t x = 0; x < row.size(); ++x) EXPECT_TRUE(row[x] == 0 || covered[x] == 1);
-  }
-  const std::vector<uchar> all(64, 255), none(64, 0);
-  ASSERT_EQ(covering_spans(all.data(), 64, 8).size(), 1u);
-  EXPECT_TRUE(covering_spans(none.data(), 64, 8).empty());
-}
-
 }  // namespace
 }  // namespace mbncc::proposal

@@ -9,6 +9,7 @@
 
 #include "matching/evidence/gain_offset.hpp"
 #include "numeric/fixed_random_state.hpp"
+#include "numeric/order_statistics.hpp"
 #include "numeric/weighted_median.hpp"
 
 namespace mbncc::evidence {
@@ -129,11 +130,8 @@ cv::Vec3f background_colour(const templates::ContourTemplate& contour,
     for (int c = 0; c < kChannels; ++c) colours[c].push_back(pixels.colour.at<cv::Vec3b>(pixel)[c]);
   }
   cv::Vec3f ground = cv::Vec3f::all(0);
-  for (int c = 0; c < kChannels && !colours[c].empty(); ++c) {
-    const auto middle = colours[c].begin() + static_cast<std::ptrdiff_t>(colours[c].size() / 2);
-    std::nth_element(colours[c].begin(), middle, colours[c].end());
-    ground[c] = *middle;
-  }
+  for (int c = 0; c < kChannels && !colours[c].empty(); ++c)
+    ground[c] = numeric::median(colours[c]);
   return ground;
 }
 
@@ -147,9 +145,9 @@ ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const std::vector<int> beside = templates::points_beside(contour, {surface.x[i], surface.y[i]});
     const std::size_t count = std::min(kMost, beside.size());
+    beside_.emplace_back();
     for (std::size_t k = 0; k < count; ++k)
-      nearby_contour_points_.push_back(beside[k * beside.size() / count]);
-    nearby_contour_points_end_.push_back(static_cast<int>(nearby_contour_points_.size()));
+      beside_.back().push_back(beside[k * beside.size() / count]);
   }
 }
 
@@ -160,11 +158,9 @@ std::vector<float> ColourParts::weights_from_contour(
   std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
   for (std::size_t i = 0; i < clear.size(); ++i)
     if (!templates::is_clear(contour.response[i])) clear[i] = 0;
-  int k = 0;
   for (std::size_t i = 0; i < colour_.size(); ++i) {
     float found = 0, seen = 0;
-    for (; k < nearby_contour_points_end_[i]; ++k) {
-      const int at = nearby_contour_points_[k];
+    for (const int at : beside_[i]) {
       seen += contour.seen[at];
       found += clear[at];
     }
@@ -180,7 +176,7 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
                                                 const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels] in the lesson
   constexpr float kUnseen = 0.02f;  // weight, when fitting the light, without found contour points
-  if (empty() || !sample.suffices()) return {};
+  if (colour_.empty() || !sample.suffices()) return {};
   const std::vector<float> weights = weights_from_contour(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;

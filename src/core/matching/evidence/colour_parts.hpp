@@ -31,8 +31,6 @@ class ColourParts {
   ColourParts(const templates::SurfaceTemplate& surface, const templates::ContourTemplate& contour,
               const cv::Vec3f& ground);
 
-  bool empty() const { return colour_.empty(); }
-
   /// Uses only points near a found contour, because an occluder hides the contour as well.
   /// Differences explained by another `ground` are subtracted, because learned maps contain some
   /// background.
@@ -45,13 +43,10 @@ class ColourParts {
   std::vector<float> weights_from_contour(const templates::SurfaceSample& sample,
                                           const templates::ContourSample& contour) const;
 
-  cv::Vec3f ground_;         ///< background_colour() in the lesson
-  std::vector<int> colour_;  ///< of each point: index of its part of uniform colour
-  std::vector<int> block_;   ///< of each point: index of its block
-  std::vector<int>
-      nearby_contour_points_;  ///< indices of contour points beside each point, concatenated
-  std::vector<int>
-      nearby_contour_points_end_;  ///< of each point: end of its range in `nearby_contour_points_`
+  cv::Vec3f ground_;                      ///< background_colour() in the lesson
+  std::vector<int> colour_;               ///< of each point: index of its part of uniform colour
+  std::vector<int> block_;                ///< of each point: index of its block
+  std::vector<std::vector<int>> beside_;  ///< of each point: indices of contour points beside it
 };
 
 }  // namespace mbncc::evidence

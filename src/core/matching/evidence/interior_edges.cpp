@@ -47,37 +47,25 @@ struct Turn {
   float c, s;
 };
 
-/// Offsets to a pixel and those within kSlack of it, nearest first.
-std::vector<cv::Point> places_around() {
-  std::vector<cv::Point> places;
-  for (int y = -kSlack; y <= kSlack; ++y)
-    for (int x = -kSlack; x <= kSlack; ++x) places.emplace_back(x, y);
-  std::stable_sort(places.begin(), places.end(),
-                   [](const cv::Point& a, const cv::Point& b) { return a.dot(a) < b.dot(b); });
-  return places;
-}
-
 /// Edge image with a margin, in which edges near a pixel are looked up.
 class EdgesAround {
  public:
   explicit EdgesAround(const cv::Mat& edges) {
-    cv::copyMakeBorder(edges, edges_, kSlack, kSlack, kSlack, kSlack,
-                       cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
-    for (const auto& by : places_around())
-      offsets_.push_back(static_cast<std::ptrdiff_t>(by.y) * edges_.cols + by.x);
+    cv::copyMakeBorder(edges, edges_, kSlack, kSlack, kSlack, kSlack, cv::BORDER_CONSTANT);
   }
 
   /// Whether there is an edge of this direction near (x, y).
   bool has_along(int x, int y, const cv::Vec2f& direction) const {
-    const auto* at = edges_.ptr<Vector>(y + kSlack) + x + kSlack;
-    return std::any_of(offsets_.begin(), offsets_.end(), [&](std::ptrdiff_t offset) {
-      return dot(at[offset], direction) > kFaint * imaging::kEdgeScale;
-    });
+    for (int row = y; row <= y + 2 * kSlack; ++row) {
+      const auto* edge = edges_.ptr<Vector>(row) + x;
+      for (int column = 0; column <= 2 * kSlack; ++column)
+        if (dot(edge[column], direction) > kFaint * imaging::kEdgeScale) return true;
+    }
+    return false;
   }
 
  private:
-  cv::Mat edges_;  // continuous
-  std::vector<std::ptrdiff_t> offsets_;
+  cv::Mat edges_;
 };
 
 /// CV_8UC1: 255 within `where` at each clear edge of `edges` that, rotated by `angle` [rad], has no

@@ -73,7 +73,6 @@ void remove_cast(const ColourCast& cast, templates::SurfaceSample& sample) {
   for (int c = 0; c < templates::SurfaceTemplate::kChannels; ++c) {
     const auto factor = static_cast<float>(1 / gains[c]);
     for (auto& value : sample.planes[c]) value = std::min(kWhite, value * factor);
-    sample.means[c] = std::min<double>(kWhite, sample.means[c] * factor);
   }
 }
 

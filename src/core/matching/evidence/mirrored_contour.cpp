@@ -39,10 +39,7 @@ std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
     const RegisteredContour one = closest.align(contour, {0, 0, 2 * kPi * k / kStarts});
     laid.push_back({one.pose, 0, one.covered});
   }
-  templates::suppress(laid, {kKept,
-                             templates::Suppression::kUnlimited,
-                             templates::Suppression::kUnlimited,
-                             {kSame, fixed.radius()}});
+  templates::keep_distinct(laid, kKept, {kSame, fixed.radius()});
   std::vector<Pose2D> poses;
   for (const auto& one : laid) poses.push_back(one.pose);
   return poses;

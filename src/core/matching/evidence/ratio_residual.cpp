@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numeric/order_statistics.hpp"
+
 namespace mbncc::evidence {
 namespace {
 
@@ -42,9 +44,7 @@ double RatioResidual::misfit(const templates::SurfaceTemplate& surface,
         differences.push_back(kPercent * std::abs(ratios[i] - ratios[j]));
   }
   if (differences.empty()) return 0;
-  const auto middle = differences.begin() + static_cast<std::ptrdiff_t>(differences.size() / 2);
-  std::nth_element(differences.begin(), middle, differences.end());
-  return std::log(std::hypot(kNoise, *middle));
+  return std::log(std::hypot(kNoise, numeric::median(differences)));
 }
 
 double rotation_odds(const Evidence& evidence, double misfit) {

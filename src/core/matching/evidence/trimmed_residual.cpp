@@ -2,11 +2,8 @@
 #include "matching/evidence/trimmed_residual.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
-
-#include "matching/template/sample_points.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -60,46 +57,27 @@ struct Sums {
   }
 };
 
-/// The blocks of a surface that have enough points.
-class Parts {
- public:
-  explicit Parts(const std::vector<templates::BlockSums>& all) {
-    for (const auto& one : all)
-      if (one.count >= kLeastPoints) parts_[count_++] = Sums(one);
-  }
-
-  std::size_t count() const { return count_; }
-
-  Sums sum() const {
-    Sums sum;
-    for (std::size_t i = 0; i < count_; ++i) sum += parts_[i];
-    return sum;
-  }
-
-  /// Sum of the five eighths of the blocks with the smallest residuals after `gain`.
-  Sums best_explained(const Gain& gain) const {
-    std::array<std::pair<double, std::size_t>, templates::kMostBlocks> sorted;
-    for (std::size_t i = 0; i < count_; ++i) sorted[i] = {parts_[i].square(gain), i};
-    const auto kept = static_cast<std::ptrdiff_t>((count_ * 5 + 7) / 8);
-    std::nth_element(sorted.begin(), sorted.begin() + kept - 1, sorted.begin() + count_);
-    Sums sum;
-    for (std::ptrdiff_t k = 0; k < kept; ++k) sum += parts_[sorted[k].second];
-    return sum;
-  }
-
- private:
-  std::array<Sums, templates::kMostBlocks> parts_;
-  std::size_t count_ = 0;
-};
+/// Sum of the five eighths of `parts` with the smallest residuals after `gain`.
+Sums best_explained(const std::vector<Sums>& parts, const Gain& gain) {
+  std::vector<std::pair<double, std::size_t>> sorted;
+  for (std::size_t i = 0; i < parts.size(); ++i) sorted.emplace_back(parts[i].square(gain), i);
+  const std::size_t kept = (parts.size() * 5 + 7) / 8;
+  std::nth_element(sorted.begin(), sorted.begin() + kept - 1, sorted.end());
+  Sums sum;
+  for (std::size_t k = 0; k < kept; ++k) sum += parts[sorted[k].second];
+  return sum;
+}
 
 }  // namespace
 
 double trimmed_residual(const std::vector<templates::BlockSums>& blocks) {
   constexpr int kSteps = 2;
-  const Parts parts(blocks);
-  if (parts.count() == 0) return -1;
-  Sums kept = parts.sum();
-  for (int step = 0; step < kSteps; ++step) kept = parts.best_explained(kept.gain());
+  std::vector<Sums> parts;
+  Sums kept;
+  for (const auto& block : blocks)
+    if (block.count >= kLeastPoints) kept += parts.emplace_back(block);
+  if (parts.empty()) return -1;
+  for (int step = 0; step < kSteps; ++step) kept = best_explained(parts, kept.gain());
   return std::sqrt(std::max(0.0, kept.square(kept.gain())));
 }
 

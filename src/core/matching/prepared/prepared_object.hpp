@@ -17,6 +17,7 @@
 #include "matching/proposal/template_bank.hpp"
 #include "matching/refinement/refinement.hpp"
 #include "matching/template/view_frame.hpp"
+#include "mbncc/config/search_config.hpp"
 #include "mbncc/matching/polar_search.hpp"
 #include "mbncc/matching/similarity.hpp"
 #include "mbncc/object_model.hpp"
@@ -26,6 +27,11 @@ namespace mbncc::prepared {
 
 /// Search engine for poses.
 enum class Engine { kFast, kPolar };
+
+/// The engine named by SearchConfig::engine.
+inline Engine engine_of(const SearchConfig& config) {
+  return config.engine == "polar" ? Engine::kPolar : Engine::kFast;
+}
 
 /// An object in two sizes other than the learned one.
 struct ResizedTemplates {

@@ -23,7 +23,8 @@ constexpr double kMinResponse = 0.2;  // [-1..1] least mean response of a candid
 /// Positions of a row whose responses at all rotations fit into the L1 cache.
 constexpr int kAtATime = 2 * kernels::kPositions;
 
-constexpr int kParts = 4;  // parts of an outline; one of them may be covered
+constexpr std::size_t kSectors = 16;  // of the rotations, each of which has peaks of its own
+constexpr int kParts = 4;             // parts of an outline; one of them may be covered
 
 double share(OutlinePart part) {
   return part == OutlinePart::kThreeQuarters ? double(kParts - 1) / kParts : 1;
@@ -34,11 +35,12 @@ int whole(int count, int group) {
   return (count + group - 1) / group * group;
 }
 
-class EdgeSearch {
+class ContourSearch {
  public:
-  EdgeSearch(const ContourBank& bank, const scene::SceneLevel& scene, const cv::Rect& roi,
-             const AngleRange& sector, const SearchMask& places, OutlinePart part)
+  ContourSearch(const ContourBank& bank, const scene::SceneLevel& scene, const cv::Rect& roi,
+                const AngleRange& sector, const SearchMask& places, OutlinePart part)
       : bank_(bank),
+        part_(part),
         scale_(kUnit * share(part) * static_cast<double>(bank.rotations().front().points.size())),
         first_(roi.x / kStep * kStep, roi.y / kStep * kStep),
         size_((roi.br().x - first_.x + kStep - 1) / kStep,
@@ -49,17 +51,14 @@ class EdgeSearch {
                        whole(size_.height + 1, kBand) - size_.height, 0,
                        whole(size_.width, kernels::kPositions) - size_.width, cv::BORDER_CONSTANT,
                        {0});
-    for (auto& finder : sectors_) {
-      finder.set_width(wanted_.cols);
-      if (part == OutlinePart::kThreeQuarters) finder.set_parts(kParts);
-    }
+    sectors_.assign(kSectors, {wanted_.cols, part == OutlinePart::kThreeQuarters ? kParts : 1});
     const auto& rotations = bank.rotations();
     for (std::size_t k = 0; k < rotations.size(); ++k)
       if (sector.contains(rotations[k].angle))
         sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
   }
 
-  std::vector<templates::Candidate> run(std::size_t foremost, std::size_t most) {
+  std::vector<templates::Candidate> run(std::size_t most) {
     auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
     thread_local std::vector<ResponsePeak> peaks;
     peaks.clear();
@@ -73,7 +72,7 @@ class EdgeSearch {
       if (peaks.size() > 2 * most) least = keep_best(peaks, most);
     }
     keep_best(peaks, most);
-    put_foremost_first(peaks, foremost);
+    if (part_ == OutlinePart::kWhole) put_foremost_first(peaks);
     std::vector<templates::Candidate> found;
     found.reserve(peaks.size());
     for (const auto& peak : peaks) found.push_back(candidate(peak));
@@ -85,13 +84,13 @@ class EdgeSearch {
     for (auto& part : sectors_) part.next_band();
     cv::Mat any;
     cv::reduce(wanted_.rowRange(y, y + kBand), any, 0, cv::REDUCE_MAX);
-    for (const auto& span : covering_spans(any.ptr(), any.cols, kernels::kPositions))
-      for (int x = span.begin; x < span.end; x += kAtATime) {
-        const std::int8_t* maps =
-            maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
-        for (auto& part : sectors_)
-          part.sum_responses(maps, maps_->stride(), x, std::min(kAtATime, span.end - x));
-      }
+    for (int x = 0; x < any.cols; x += kAtATime) {
+      const int count = std::min(kAtATime, any.cols - x);
+      if (cv::countNonZero(any.colRange(x, x + count)) == 0) continue;
+      const std::int8_t* maps =
+          maps_->data() + maps_->offset(0, first_.x + kStep * x, first_.y + kStep * y);
+      for (auto& part : sectors_) part.sum_responses(maps, maps_->stride(), x, count);
+    }
     for (int row = 0; row < kBand; ++row)
       for (auto& part : sectors_) part.keep(row, wanted_.ptr(y + row));
   }
@@ -108,14 +107,12 @@ class EdgeSearch {
     return sum;
   }
 
-  /// Moves peaks without a better neighbour in the same quarter turn to the front, best first, so
-  /// that the first `foremost` cover different places.
-  void put_foremost_first(std::vector<ResponsePeak>& peaks, std::size_t foremost) const {
-    constexpr std::size_t kPerPlace = 4;
-    const auto looked_at = put_best_first(peaks, kPerPlace * foremost);
-    std::sort(peaks.begin(), looked_at);
+  /// Sorts the peaks, those without a better neighbour in the same quarter turn first, so that the
+  /// first of them cover different places.
+  void put_foremost_first(std::vector<ResponsePeak>& peaks) const {
+    std::sort(peaks.begin(), peaks.end());
     cv::Mat quarters = cv::Mat::zeros(wanted_.rows + 2, wanted_.cols + 2, CV_8UC1);
-    std::stable_partition(peaks.begin(), looked_at,
+    std::stable_partition(peaks.begin(), peaks.end(),
                           [&](const ResponsePeak& peak) { return is_foremost(peak, quarters); });
   }
 
@@ -137,24 +134,25 @@ class EdgeSearch {
   }
 
   const ContourBank& bank_;
+  OutlinePart part_;
   double scale_;     // sum of the responses of a rotation if all are 1
   cv::Point first_;  // [px] first position, even
   cv::Size size_;    // of the positions
   cv::Mat wanted_;   // CV_8UC1, the positions to search, padded to whole groups and bands
   std::shared_ptr<const scene::ResponseMaps> maps_;
-  std::array<PeakFinder, 16> sectors_;
+  std::vector<PeakFinder> sectors_;
 };
 
 }  // namespace
 
-std::vector<templates::Candidate> edge_search(const ContourBank& bank,
-                                              const scene::SceneLevel& scene, const cv::Rect& roi,
-                                              std::size_t foremost, std::size_t most,
-                                              const AngleRange& sector, const SearchMask& places,
-                                              OutlinePart part) {
+std::vector<templates::Candidate> contour_search(const ContourBank& bank,
+                                                 const scene::SceneLevel& scene,
+                                                 const cv::Rect& roi, std::size_t most,
+                                                 const AngleRange& sector, const SearchMask& places,
+                                                 OutlinePart part) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return EdgeSearch(bank, scene, region, sector, places, part).run(foremost, most);
+  return ContourSearch(bank, scene, region, sector, places, part).run(most);
 }
 
 }  // namespace mbncc::proposal

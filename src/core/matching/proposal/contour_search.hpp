@@ -20,14 +20,14 @@ enum class OutlinePart {
   kThreeQuarters,  ///< the three that fit best; the fourth may be covered
 };
 
-/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`. The best
-/// `foremost` of them come first and in order. Value: mean response [-1..1]. `scene` is the bank's
-/// level.
-std::vector<templates::Candidate> edge_search(const ContourBank& bank,
-                                              const scene::SceneLevel& scene, const cv::Rect& roi,
-                                              std::size_t foremost, std::size_t most,
-                                              const AngleRange& sector = {},
-                                              const SearchMask& places = {},
-                                              OutlinePart part = OutlinePart::kWhole);
+/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`; those by the
+/// whole outline best first, in different places before their neighbours. Value: mean response
+/// [-1..1]. `scene` is the bank's level.
+std::vector<templates::Candidate> contour_search(const ContourBank& bank,
+                                                 const scene::SceneLevel& scene,
+                                                 const cv::Rect& roi, std::size_t most,
+                                                 const AngleRange& sector = {},
+                                                 const SearchMask& places = {},
+                                                 OutlinePart part = OutlinePart::kWhole);
 
 }  // namespace mbncc::proposal

@@ -12,6 +12,9 @@
 namespace mbncc::proposal {
 namespace {
 
+constexpr double kMinSimilarity = 0.3;   // [-1..1] of a candidate
+constexpr double kRotationSlack = 0.12;  // further rotations at a place are kept within this
+
 /// A rotated kernel as offsets into a padded image: pairs of adjacent pixels, and runs.
 struct KernelOffsets {
   KernelOffsets(const RotatedKernel& kernel, int stride)
@@ -40,11 +43,8 @@ class CoarseSearch {
  public:
   /// `image` has a margin of more than the bank's radius; `roi` lies in it.
   CoarseSearch(const TemplateBank& bank, const imaging::PaddedImage& image, const cv::Rect& roi,
-               const AngleRange& sector = {}, const SearchMask& places = {})
-      : bank_(bank),
-        roi_(roi),
-        wanted_(places.of_positions(bank.level, roi_.tl(), 1, roi_.size())),
-        image_(image) {
+               const AngleRange& sector = {})
+      : bank_(bank), roi_(roi), image_(image) {
     for (const auto& kernel : *bank.kernels) {
       offsets_.emplace_back(kernel, image_.stride());
       if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
@@ -53,18 +53,16 @@ class CoarseSearch {
     best_.setTo(-1);
   }
 
-  std::vector<templates::Candidate> run(const CoarseSettings& settings) {
-    correlate(settings.min_similarity);
-    return rotations_at(best_places(settings), settings);
+  std::vector<templates::Candidate> run(std::size_t most) {
+    correlate(kMinSimilarity);
+    return rotations_at(best_places(most));
   }
 
   /// The largest similarities over the rotations, exact above `threshold`.
   const cv::Mat& correlate(double threshold) {
     for (int y = 0; y < roi_.height; ++y)
-      for (const auto& span : covering_spans(wanted_.ptr(y), roi_.width, kernels::kPositions))
-        for (int x = span.begin; x < std::min(span.end, roi_.width); x += kBlock)
-          correlate_block(x, y, std::min({kBlock, span.end - x, roi_.width - x}), threshold);
-    best_.setTo(-1, wanted_ == 0);
+      for (int x = 0; x < roi_.width; x += kBlock)
+        correlate_block(x, y, std::min(kBlock, roi_.width - x), threshold);
     return best_;
   }
 
@@ -109,25 +107,24 @@ class CoarseSearch {
                       kernel.runs(), squares_.data(), count);
   }
 
-  std::vector<templates::Candidate> best_places(const CoarseSettings& settings) const {
+  std::vector<templates::Candidate> best_places(std::size_t most) const {
     std::vector<templates::Candidate> places;
     cv::Mat highest;
     cv::dilate(best_, highest, cv::Mat());
     for (int y = 0; y < best_.rows; ++y)
       for (int x = 0; x < best_.cols; ++x)
-        if (best_.at<float>(y, x) >= settings.min_similarity &&
+        if (best_.at<float>(y, x) >= kMinSimilarity &&
             best_.at<float>(y, x) >= highest.at<float>(y, x))
           places.push_back({{static_cast<double>(x + roi_.x), static_cast<double>(y + roi_.y), 0},
                             bank_.level,
                             best_.at<float>(y, x)});
     templates::sort_by_value(places);
-    if (places.size() > static_cast<std::size_t>(settings.max_places))
-      places.resize(settings.max_places);
+    if (places.size() > most) places.resize(most);
     return places;
   }
 
-  std::vector<templates::Candidate> rotations_at(const std::vector<templates::Candidate>& places,
-                                                 const CoarseSettings& settings) const {
+  std::vector<templates::Candidate> rotations_at(
+      const std::vector<templates::Candidate>& places) const {
     std::vector<templates::Candidate> candidates;
     const std::size_t count = offsets_.size();
     std::vector<double> values(count);
@@ -137,8 +134,8 @@ class CoarseSearch {
       for (std::size_t k = 0; k < count; ++k) values[k] = value_at(offsets_[k], at);
       for (std::size_t k = 0; k < count; ++k) {
         const double before = values[(k + count - 1) % count], after = values[(k + 1) % count];
-        if (values[k] < settings.min_similarity || values[k] < before || values[k] <= after ||
-            values[k] < place.value - settings.rotation_slack)
+        if (values[k] < kMinSimilarity || values[k] < before || values[k] <= after ||
+            values[k] < place.value - kRotationSlack)
           continue;
         candidates.push_back(place);
         candidates.back().pose.theta = wrap_angle((*bank_.kernels)[k].angle);
@@ -166,7 +163,6 @@ class CoarseSearch {
 
   const TemplateBank& bank_;
   cv::Rect roi_;
-  cv::Mat wanted_;  // CV_8UC1, roi's size: positions searched
   const imaging::PaddedImage& image_;
   std::vector<KernelOffsets> offsets_;
   cv::Mat best_;  // CV_32FC1, roi's size: largest similarity over the rotations
@@ -179,11 +175,10 @@ class CoarseSearch {
 
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
-                                                const cv::Rect& roi, const CoarseSettings& settings,
-                                                const AngleRange& sector,
-                                                const SearchMask& places) {
+                                                const cv::Rect& roi, std::size_t most,
+                                                const AngleRange& sector) {
   if (roi.empty()) return {};
-  return CoarseSearch(bank, image, roi, sector, places).run(settings);
+  return CoarseSearch(bank, image, roi, sector).run(most);
 }
 
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey) {

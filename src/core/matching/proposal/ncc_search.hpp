@@ -7,27 +7,18 @@
 
 #include "imaging/padded_image.hpp"
 #include "matching/proposal/angle_range.hpp"
-#include "matching/proposal/search_mask.hpp"
 #include "matching/proposal/template_bank.hpp"
 #include "matching/template/candidate.hpp"
 
 namespace mbncc::proposal {
 
-struct CoarseSettings {
-  double min_similarity = 0.3;   ///< [-1..1] of a candidate
-  int max_places = 100;          ///< number of best places kept
-  double rotation_slack = 0.12;  ///< further rotations at a place are kept within this difference
-};
-
-/// Local maxima of the similarity over positions in `roi` [px at the bank's level] and `places` and
+/// Local maxima of the similarity over positions in `roi` [px at the bank's level] and
 /// over rotations in `sector`. `image` is the bank's level, with a margin of more than the bank's
 /// radius; `roi` lies in it.
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
-                                                const cv::Rect& roi,
-                                                const CoarseSettings& settings = {},
-                                                const AngleRange& sector = {},
-                                                const SearchMask& places = {});
+                                                const cv::Rect& roi, std::size_t most,
+                                                const AngleRange& sector);
 
 /// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; negative
 /// values are not computed. `grey` is the bank's level, CV_8UC1.

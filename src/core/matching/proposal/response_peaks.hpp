@@ -42,11 +42,9 @@ class PeakFinder {
  public:
   static constexpr int kBand = kernels::kResponseRows;  ///< rows computed at a time
 
-  /// Sets the number of positions per row.
-  void set_width(int width);
-  /// Splits the points of a rotation into `parts` parts, of which the sums leave out the least; 1:
-  /// none is left out.
-  void set_parts(int parts) { parts_ = parts; }
+  /// `width`: number of positions per row. The points of a rotation are split into `parts`, of
+  /// which the sums leave out the least; 1: none is left out.
+  PeakFinder(int width, int parts);
 
   void add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
                     const scene::ResponseMaps& maps);
@@ -67,15 +65,15 @@ class PeakFinder {
   void add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>& peaks);
 
  private:
+  bool is_peak(int i, int x) const;
+
   static constexpr int kKept = 2;
   static constexpr int kRows = kKept + kBand;
 
   std::vector<std::int32_t> offsets_;              // of all points of the rotations
   std::vector<std::int16_t> labels_of_rotations_;  // indices of the rotations
-  int terms_ = 0, parts_ = 1, width_ = 0;
+  int width_, parts_, terms_ = 0;
   std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums and their rotations
-  std::vector<std::int16_t> column_;         // largest of three rows, one more on each side
-  std::vector<std::uint8_t> marked_;         // 1: peaks of a row
 };
 
 }  // namespace mbncc::proposal

@@ -20,20 +20,4 @@ cv::Mat SearchMask::of_positions(int level, cv::Point first, int step, cv::Size 
   return positions;
 }
 
-std::vector<Span> covering_spans(const uchar* row, int count, int group) {
-  std::vector<Span> spans;
-  for (int x = 0; x < count; ++x) {
-    if (row[x] == 0) continue;
-    if (spans.empty() || x > spans.back().end) spans.push_back({x, x});
-    while (spans.back().end <= x) spans.back().end += group;
-    x = spans.back().end - 1;
-  }
-  // A last span that would end beyond the row starts earlier instead.
-  if (!spans.empty() && spans.back().end > count) {
-    const int length = spans.back().end - spans.back().begin;
-    spans.back() = {std::max(0, count - length), std::max(count, length)};
-  }
-  return spans;
-}
-
 }  // namespace mbncc::proposal

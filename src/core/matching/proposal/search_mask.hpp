@@ -3,7 +3,6 @@
 #pragma once
 
 #include <opencv2/core.hpp>
-#include <vector>
 
 namespace mbncc::proposal {
 
@@ -24,14 +23,5 @@ class SearchMask {
   cv::Mat mask_;
   int level_ = 0;
 };
-
-/// Positions [begin, end) of a row.
-struct Span {
-  int begin, end;
-};
-
-/// Spans of whole groups of `group` positions that cover the nonzero values in a row of `count`
-/// values. The last span ends beyond the row only if it is longer than the row.
-std::vector<Span> covering_spans(const uchar* row, int count, int group);
 
 }  // namespace mbncc::proposal

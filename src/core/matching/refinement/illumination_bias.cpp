@@ -25,11 +25,11 @@ constexpr double kEven = 0.03;  // [px^2] shading of even light, which displaces
 
 IlluminationBias::IlluminationBias(const templates::SurfaceTemplate& surface,
                                    const templates::SurfaceSample& seen, double contrast) {
-  const templates::SurfaceDifference difference = surface.difference(seen, contrast);
+  const double difference = surface.shading_difference(seen, contrast);
   const double slope =
       (surface.slope_product(0, 0) + surface.slope_product(1, 1)) /
       (2 * templates::SurfaceTemplate::kChannels * static_cast<double>(surface.size()));
-  shading_ = std::max(0.0, difference.shading / (contrast * contrast) / (slope + kPlain) - kEven);
+  shading_ = std::max(0.0, difference / (contrast * contrast) / (slope + kPlain) - kEven);
 }
 
 double IlluminationBias::of_brightness() const {

@@ -92,8 +92,9 @@ class Refiner {
   }
   std::array<numeric::NormalEquations, ColourAxes::kAxes> axis_pulls(
       const std::vector<float>& weights);
-  numeric::NormalEquations marginalised_by_disagreement(
-      const numeric::NormalEquations& colour, const numeric::NormalEquations& edges) const;
+  numeric::NormalEquations sum_of(
+      numeric::NormalEquations contour,
+      const std::array<numeric::NormalEquations, ColourAxes::kAxes>& axes) const;
 
   cv::Matx44d information(double scale_deviation) const {
     cv::Matx44d prior = cv::Matx44d::diag({kLeast, kLeast, kLeast * radius() * radius(), 0});
@@ -165,15 +166,9 @@ bool Refiner::linearise() {
   edges_ = edges_pull(samples_.contour);
   samples_.remainders.read(object_.axes, object.surface, samples_.surface);
   const auto axes = axis_pulls(samples_.remainders.weights);
-  numeric::RandomEffects all(radius());
-  all.add(edges_);
-  for (const auto& axis : axes) all.add(axis);
-  between_cue_variance_ = all.variance();
-  numeric::NormalEquations colour = axes[1];
-  colour += axes[2];
-  pull_ = edges_;
-  pull_ += axes[ColourAxes::kBrightness];
-  pull_ += marginalised_by_disagreement(colour, edges_);
+  between_cue_variance_ =
+      numeric::random_effects_variance({edges_, axes[0], axes[1], axes[2]}, radius());
+  pull_ = sum_of(edges_, axes);
   return true;
 }
 
@@ -184,16 +179,11 @@ numeric::NormalEquations Refiner::half_pull(double x, double y) {
   templates::ContourSample contour = samples_.contour;
   for (std::size_t i = 0; i < object.contour.size(); ++i)
     if (!on_side(object.contour.x[i], object.contour.y[i])) contour.pull[i] = contour.moment[i] = 0;
-  numeric::NormalEquations pull = edges_pull(contour);
+  const numeric::NormalEquations pull = edges_pull(contour);
   std::vector<float> weights = samples_.remainders.weights;
   for (std::size_t i = 0; i < object.surface.size(); ++i)
     if (!on_side(object.surface.x[i], object.surface.y[i])) weights[i] = 0;
-  const auto axes = axis_pulls(weights);
-  numeric::NormalEquations colour = axes[1];
-  colour += axes[2];
-  pull += axes[ColourAxes::kBrightness];
-  pull += marginalised_by_disagreement(colour, edges_);
-  return pull;
+  return sum_of(pull, axis_pulls(weights));
 }
 
 /// [px^2] Variance between halves of the object, split along the image's rows and columns, beyond
@@ -203,10 +193,9 @@ double Refiner::variance_between_halves() {
   const double c = std::cos(pose_.theta), s = std::sin(pose_.theta);
   double most = 0;
   for (const auto& [x, y] : {std::make_pair(c, -s), std::make_pair(s, c)}) {
-    numeric::RandomEffects halves(radius());
-    halves.add(half_pull(x, y));
-    halves.add(half_pull(-x, -y));
-    most = std::max(most, halves.variance());
+    const double apart =
+        numeric::random_effects_variance({half_pull(x, y), half_pull(-x, -y)}, radius());
+    most = std::max(most, apart);
   }
   return most;
 }
@@ -240,17 +229,19 @@ std::array<numeric::NormalEquations, ColourAxes::kAxes> Refiner::axis_pulls(
   return pulls;
 }
 
-/// Normal equations of the colour axes, marginalised over a displacement if they disagree with the
-/// contour: cameras blur and displace colour, some by pixels.
-numeric::NormalEquations Refiner::marginalised_by_disagreement(
-    const numeric::NormalEquations& colour, const numeric::NormalEquations& edges) const {
+/// Normal equations of contour and surface. Those of colour are marginalised over a displacement if
+/// they disagree with the whole contour: cameras blur and displace colour, some by pixels.
+numeric::NormalEquations Refiner::sum_of(
+    numeric::NormalEquations contour,
+    const std::array<numeric::NormalEquations, ColourAxes::kAxes>& axes) const {
   constexpr double kUsual = 0.3;  // [px] distance between colour and contour
-  numeric::RandomEffects two(radius());
-  two.add(colour);
-  two.add(edges);
-  const double apart = std::sqrt(2 * two.variance());
-  return apart > kUsual ? numeric::marginalised_over_shift_and_turn(colour, apart, radius())
-                        : colour;
+  numeric::NormalEquations colour = axes[1];
+  colour += axes[2];
+  const double apart = std::sqrt(2 * numeric::random_effects_variance({colour, edges_}, radius()));
+  contour += axes[ColourAxes::kBrightness];
+  contour +=
+      apart > kUsual ? numeric::marginalised_over_shift_and_turn(colour, apart, radius()) : colour;
+  return contour;
 }
 
 /// Contrast of the image relative to the template.

@@ -2,7 +2,6 @@
 #include "matching/search/object_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/search_budget.hpp"
@@ -24,12 +23,10 @@ cv::Rect anchor_region(const cv::Rect& roi, const prepared::PreparedView& view, 
 std::vector<decision::Detection> search_views(const prepared::PreparedObject& object,
                                               const scene::SceneImage& scene, const cv::Rect& roi,
                                               SearchMode mode) {
-  const bool prefiltered = mode == SearchMode::kColourPrefiltered;
   std::vector<decision::Detection> found;
   for (const auto& view : object.views) {
-    const auto detections = search_view(
-        object, view, scene, anchor_region(roi, view, scene.size()), mode,
-        prefiltered ? view.colour_prefilter.places(scene.classes()) : proposal::SearchMask{});
+    const auto detections =
+        search_view(object, view, scene, anchor_region(roi, view, scene.size()), mode);
     found.insert(found.end(), detections.begin(), detections.end());
   }
   return object.views.size() > 1 ? decision::resolve_rotations(std::move(found)) : found;

@@ -64,7 +64,7 @@ std::vector<decision::Detection> search_places(const prepared::PreparedObject& o
   templates::sort_by_value(candidates);
   templates::drop_below(kMinOddsToRefine, candidates);
   if (candidates.empty()) return {};
-  return verify(object, view, scene, hypotheses(view, scene, candidates, FirstSearch().promising));
+  return verify(object, view, scene, hypotheses(view, scene, candidates, SearchBudget().promising));
 }
 
 }  // namespace mbncc::search

@@ -26,16 +26,20 @@ bool is_one_of(const std::vector<Pose2D>& poses, const Pose2D& pose, double radi
                      [&](const Pose2D& other) { return same_pose(other, pose, radius); });
 }
 
-PoseHypothesis hypothesis(const prepared::PreparedView& view,
-                          const refinement::ScoredPose& reached) {
+}  // namespace
+
+PoseHypothesis aligned_from(const prepared::PreparedView& view,
+                            const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                            const Pose2D& start, int iterations) {
+  const refinement::ScoredPose reached =
+      refinement::align_and_score(object, scene, start, iterations);
   return {reached.pose, reached.evidence, evidence::log_odds(reached.evidence, view.shape.area())};
 }
 
-}  // namespace
-
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose) {
-  return hypothesis(view, {pose, evidence::gather_evidence(view.fine, scene.levels[0], pose)});
+  const auto evidence = evidence::gather_evidence(view.fine, scene.levels[0], pose);
+  return {pose, evidence, evidence::log_odds(evidence, view.shape.area())};
 }
 
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b) {
@@ -49,9 +53,8 @@ PoseHypothesis multistart_align(const prepared::PreparedView& view, const scene:
   constexpr double kArc = 2.5;  // [px] between the starts at the rim
   constexpr int kIterations = 6;
   const double radius = view.shape.radius();
-  const refinement::ScoredPose first =
-      refinement::align_and_score(view.fine, scene.levels[0], pose, kIterations);
-  PoseHypothesis best = hypothesis(view, first);
+  const PoseHypothesis first = aligned_from(view, view.fine, scene.levels[0], pose, kIterations);
+  PoseHypothesis best = first;
   bool elsewhere = false;
   for (const int turn : {-1, 1, -2, 2}) {
     if (std::abs(turn) > 1 && !elsewhere) break;

@@ -23,6 +23,12 @@ struct PoseHypothesis {
   bool aligned = false;  ///< from several starts
 };
 
+/// The pose reached by alignment of `object`, a template of the view, from `start` [px at its
+/// level].
+PoseHypothesis aligned_from(const prepared::PreparedView& view,
+                            const templates::PoseTemplate& object, const scene::SceneLevel& scene,
+                            const Pose2D& start, int iterations);
+
 /// The evidence for a pose without alignment.
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
                            const Pose2D& pose);

@@ -16,17 +16,16 @@ namespace mbncc::search {
 class Proposals {
  public:
   Proposals(const prepared::PreparedView& view, const scene::SceneImage& scene, const cv::Rect& roi,
-            const proposal::SearchMask& places)
-      : view_(view), scene_(scene), roi_(roi), places_(places) {}
+            proposal::SearchMask places)
+      : view_(view), scene_(scene), roi_(roi), places_(std::move(places)) {}
 
-  /// Searches by contours for at most `most` poses; required before by_edges() and
-  /// foremost_by_edges().
-  void search_contours(std::size_t most);
+  bool everywhere() const { return places_.everywhere(); }
+
+  /// At most `most` poses by the contour; required before foremost_by_contour().
+  const std::vector<templates::Candidate>& by_contour(std::size_t most);
   /// The best `most` places by rotated correlation; none if the object needs one of the finest
-  /// levels.
-  std::vector<templates::Candidate> by_correlation(int most) const;
-  /// The first `most` contour proposals.
-  std::vector<templates::Candidate> by_edges(std::size_t most) const;
+  /// levels. Searches everywhere.
+  std::vector<templates::Candidate> by_correlation(std::size_t most) const;
 
   /// Searches by the best three quarters of the contour, because the fourth may be covered, and
   /// ranks the poses by colours; required before next_by_partial_contour().
@@ -37,14 +36,14 @@ class Proposals {
       std::size_t most, const std::vector<templates::Candidate>& known, double near);
 
   /// Whether the place of `pose` [px] is among the first `count` contour proposals.
-  bool foremost_by_edges(const Pose2D& pose, std::size_t count) const;
+  bool foremost_by_contour(const Pose2D& pose, std::size_t count) const;
 
  private:
   const prepared::PreparedView& view_;
   const scene::SceneImage& scene_;
   cv::Rect roi_;
-  const proposal::SearchMask& places_;
-  std::vector<templates::Candidate> edges_, partial_;
+  proposal::SearchMask places_;
+  std::vector<templates::Candidate> by_contour_, partial_;
   std::size_t next_ = 0;  // of partial_
 };
 

@@ -6,7 +6,7 @@
 #include "imaging/pyramid.hpp"
 #include "matching/decision/clutter.hpp"
 #include "matching/evidence/contour_alignment.hpp"
-#include "matching/refinement/gauss_newton.hpp"
+#include "matching/search/pose_hypothesis.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -72,16 +72,16 @@ class PyramidTracker {
   void score(const templates::PoseTemplate& object, int iterations,
              std::vector<templates::Candidate>& candidates) const {
     for (auto& candidate : candidates) {
-      const refinement::ScoredPose reached = refinement::align_and_score(
-          object, scene_.levels[candidate.level], candidate.pose, iterations);
+      const PoseHypothesis reached =
+          aligned_from(view_, object, scene_.levels[candidate.level], candidate.pose, iterations);
       candidate.pose = reached.pose;
-      candidate.value = evidence::log_odds(reached.evidence, view_.shape.area());
+      candidate.value = reached.odds;
     }
   }
 
   void align(int level, int iterations, std::vector<templates::Candidate>& candidates) const {
     score(view_.templates[level], iterations, candidates);
-    const auto kept = static_cast<std::size_t>(budget_.kept * static_cast<double>(most_at(level)));
+    const std::size_t kept = budget_.kept * most_at(level);
     templates::suppress(candidates, {kept, kPruningMargin, apart_at(level),
                                      alike_at(level, level == 0 ? 1.5 : 1.0)});
     templates::drop_below(level > 0 ? kThresholds.aligned : kThresholds.finally, candidates);

@@ -7,6 +7,7 @@
 
 #include "matching/evidence/contour_alignment.hpp"
 #include "matching/refinement/gauss_newton.hpp"
+#include "matching/search/pose_hypothesis.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -65,10 +66,9 @@ std::vector<templates::Candidate> reached_from(const prepared::PreparedView& vie
   constexpr int kIterations = 5;
   if (starts.size() > most) starts.resize(most);
   for (auto& start : starts) {
-    const refinement::ScoredPose reached =
-        refinement::align_and_score(view.templates[0], scene.levels[0], start.pose, kIterations);
-    start.pose = reached.pose;
-    start.value = evidence::log_odds(reached.evidence, view.shape.area());
+    const PoseHypothesis reached =
+        aligned_from(view, view.templates[0], scene.levels[0], start.pose, kIterations);
+    start = {reached.pose, 0, reached.odds};
   }
   return starts;
 }
@@ -84,10 +84,7 @@ std::vector<templates::Candidate> rotations_at(const prepared::PreparedView& vie
   peaks.insert(peaks.begin(), half_turned(view, place));
   const auto shifted = reached_from(view, scene, shifted_onto_edges(view, scene, peaks), kMost);
   turned.insert(turned.end(), shifted.begin(), shifted.end());
-  templates::suppress(turned, {kMost,
-                               templates::Suppression::kUnlimited,
-                               templates::Suppression::kUnlimited,
-                               {1.5, view.shape.radius()}});
+  templates::keep_distinct(turned, kMost, {1.5, view.shape.radius()});
   return turned;
 }
 

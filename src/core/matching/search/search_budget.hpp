@@ -6,13 +6,15 @@
 
 namespace mbncc::search {
 
-/// Budget for candidates. The defaults are those of the first search.
+/// The defaults are those of the first search.
 struct SearchBudget {
   std::size_t contour_proposals = 400;  ///< poses of the contour search, at most
   std::size_t best_by_contour = 200;    ///< the best of these by contour, at most
+  std::size_t correlated_places = 100;  ///< places of the correlation search, at most
   std::size_t judged = 96;    ///< candidates scored by all features at the first level, at most
   std::size_t entering = 48;  ///< the best of these, which are aligned there, at most
-  double kept = 1;            ///< candidates at each level, times most_at()
+  std::size_t kept = 1;       ///< candidates at each level, times most_at()
+  double promising = -8;      ///< least log-odds for multi-start alignment
 };
 
 /// Each further search, because the first may have missed instances.
@@ -25,21 +27,14 @@ constexpr SearchBudget kFurtherSearch = [] {
   return budget;
 }();
 
-/// Budget of the first search.
-struct FirstSearch {
-  SearchBudget budget;
-  int correlated_places = 100;  ///< places of the correlation search, at most
-  double promising = -8;        ///< least log-odds for multi-start alignment
-};
-
 /// The first search of one object among many.
-constexpr FirstSearch kReducedSearch = [] {
-  FirstSearch first;
-  first.budget.contour_proposals = first.budget.best_by_contour = 100;
-  first.budget.judged = 24;
-  first.budget.entering = 12;
-  first.promising = -5;
-  return first;
+constexpr SearchBudget kReducedSearch = [] {
+  SearchBudget budget;
+  budget.contour_proposals = budget.best_by_contour = 100;
+  budget.judged = 24;
+  budget.entering = 12;
+  budget.promising = -5;
+  return budget;
 }();
 
 /// Log-odds behind the best below which candidates are dropped.

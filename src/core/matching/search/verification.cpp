@@ -20,14 +20,10 @@ evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
                                              const scene::SceneLevel& scene,
                                              const refinement::Refined& found, double odds) {
   if (odds <= kMinOddsToRefine) return {};
-  thread_local templates::SurfaceSample sample;
-  thread_local templates::ContourSample contour;
-  const templates::SurfaceTemplate& surface = view.fine.surface;
-  const scene::PreparedPixels pixels = scene.around(found.pose, view.fine.reach() * found.scale);
-  surface.sample(pixels, found.pose, sample, found.scale);
-  templates::read_contour(view.fine.contour, pixels.edges, found.pose, 0, contour, found.scale);
+  thread_local templates::PoseSample sample;
+  sample.read(view.fine, scene, found.pose, 0, found.scale);
   return view.parts.worst_differences(
-      surface, sample, contour,
+      view.fine.surface, sample.surface, sample.contour,
       evidence::background_colour(view.fine.contour, scene, found.pose, found.scale));
 }
 
@@ -64,20 +60,6 @@ RefinedPose with_odds(const prepared::PreparedView& view, const scene::SceneImag
   return {place, std::max(found.odds, evidence::log_odds(evidence, view.shape.area()))};
 }
 
-/// A pose reached by aligning the object in another size, with its log-odds.
-struct ResizedPose {
-  Pose2D pose;
-  double odds;
-};
-
-ResizedPose aligned_in(const templates::PoseTemplate& resized, const prepared::PreparedView& view,
-                       const scene::SceneImage& scene, const Pose2D& start) {
-  constexpr int kIterations = 3;
-  const refinement::ScoredPose reached =
-      refinement::align_and_score(resized, scene.levels[0], start, kIterations);
-  return {reached.pose, evidence::log_odds(reached.evidence, view.shape.area())};
-}
-
 /// A pose at the size that fits best.
 struct SizedPose {
   RefinedPose place;
@@ -91,11 +73,15 @@ struct SizedPose {
 SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneImage& scene,
                        const PoseHypothesis& found, const RefinedPose& start, int steps) {
   constexpr double kUsual = 0.065;  // relative change of size by heights and tilts, at most
+  constexpr int kIterations = 3;
+  const auto aligned_in = [&](const templates::PoseTemplate& size, const Pose2D& from) {
+    return aligned_from(view, size, scene.levels[0], from, kIterations);
+  };
   SizedPose best{start};
   for (const prepared::ResizedTemplates& resized : view.resized) {
     RefinedPose from = start;
     if (start.at.scale == 1) {
-      const ResizedPose reached = aligned_in(resized.near, view, scene, start.at.pose);
+      const PoseHypothesis reached = aligned_in(resized.near, start.at.pose);
       if (reached.odds <= start.odds) continue;
       const RefinedPose again = with_odds(
           view, scene, found,
@@ -105,7 +91,7 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
       continue;
     }
     if (from.odds > best.place.odds) best.place = from;
-    if (aligned_in(resized.farther, view, scene, from.at.pose).odds > best.place.odds)
+    if (aligned_in(resized.farther, from.at.pose).odds > best.place.odds)
       best.implausible_size = true;
   }
   if (std::abs(best.place.at.scale - 1) > kUsual) best.implausible_size = true;

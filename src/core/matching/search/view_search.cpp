@@ -22,23 +22,19 @@ constexpr double kSamePose = 1e-6;  // [px]
 constexpr double kOtherAngle = to_radians(10.);
 
 /// A view that is searched at part of the rotations gets proportionally fewer candidates.
-template <class Count>
-Count part_of(Count count, const proposal::AngleRange& sector) {
-  const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
-  return static_cast<Count>(std::ceil(share * count));
-}
-
 SearchBudget for_sector(SearchBudget budget, const proposal::AngleRange& sector) {
-  for (auto* count :
-       {&budget.contour_proposals, &budget.best_by_contour, &budget.judged, &budget.entering})
-    *count = part_of(*count, sector);
+  const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
+  for (auto* count : {&budget.contour_proposals, &budget.best_by_contour, &budget.correlated_places,
+                      &budget.judged, &budget.entering})
+    *count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(*count)));
   return budget;
 }
 
-FirstSearch for_sector(FirstSearch first, const proposal::AngleRange& sector) {
-  first.budget = for_sector(first.budget, sector);
-  first.correlated_places = part_of(first.correlated_places, sector);
-  return first;
+/// With a colour prefilter, the places of the view's colours; otherwise everywhere.
+proposal::SearchMask places_for(const prepared::PreparedView& view, const scene::SceneImage& scene,
+                                SearchMode mode) {
+  if (mode != SearchMode::kColourPrefiltered) return {};
+  return view.colour_prefilter.places(scene.classes());
 }
 
 /// The best of the sorted candidates at each place: at most `most`, at least `apart` [px] from each
@@ -59,24 +55,21 @@ std::vector<templates::Candidate> best_places(const std::vector<templates::Candi
 class ViewSearch {
  public:
   ViewSearch(const prepared::PreparedObject& object, const prepared::PreparedView& view,
-             const scene::SceneImage& scene, const cv::Rect& roi, SearchMode mode,
-             const proposal::SearchMask& places)
+             const scene::SceneImage& scene, const cv::Rect& roi, SearchMode mode)
       : object_(object),
         view_(view),
         scene_(scene),
         roi_(roi),
-        everywhere_(places.everywhere()),
         mode_(mode),
-        first_(for_sector(is_reduced(mode) ? kReducedSearch : FirstSearch(), view.sector)),
-        proposals_(view, scene, roi, places) {}
+        first_(for_sector(is_reduced(mode) ? kReducedSearch : SearchBudget(), view.sector)),
+        proposals_(view, scene, roi, places_for(view, scene, mode)) {}
 
   std::vector<decision::Detection> run() {
     if (view_.polar) return judge_polar();
-    proposals_.search_contours(first_.budget.contour_proposals);
-    std::vector<templates::Candidate> candidates = best_by_edges();
-    if (everywhere_ && !is_certain(candidates))
-      merge(track_down(view_, scene_, first_.budget,
-                       proposals_.by_correlation(first_.correlated_places)),
+    std::vector<templates::Candidate> candidates =
+        track_down(view_, scene_, first_, proposals_.by_contour(first_.contour_proposals));
+    if (proposals_.everywhere() && !is_certain(candidates))
+      merge(track_down(view_, scene_, first_, proposals_.by_correlation(first_.correlated_places)),
             candidates);
     if (may_have_missed(candidates)) search_again(candidates);
     templates::suppress(candidates, {most_at(0), kFinalPruningMargin, apart()});
@@ -85,11 +78,6 @@ class ViewSearch {
   }
 
  private:
-  std::vector<templates::Candidate> best_by_edges() const {
-    return track_down(view_, scene_, first_.budget,
-                      proposals_.by_edges(first_.budget.contour_proposals));
-  }
-
   std::vector<templates::Candidate> likely_places(
       const std::vector<templates::Candidate>& candidates) const {
     auto places = best_places(candidates, apart(), candidates.size());
@@ -140,7 +128,7 @@ class ViewSearch {
     const auto places = best_places(candidates, apart(), 2);
     if (places.empty() || places[0].value < kMinBestOdds) return false;
     if (places.size() > 1 && places[1].value >= kMaxSecondOdds) return false;
-    return proposals_.foremost_by_edges(places[0].pose, kForemost);
+    return proposals_.foremost_by_contour(places[0].pose, kForemost);
   }
 
   /// Whether the best of the sorted candidates is likely, including the clutter penalty.
@@ -171,10 +159,7 @@ class ViewSearch {
     }
     templates::suppress(candidates, {most_at(0), kFinalPruningMargin, apart(), alike()});
     candidates.insert(candidates.end(), needed.begin(), needed.end());
-    templates::suppress(candidates, {candidates.size(),
-                                     templates::Suppression::kUnlimited,
-                                     templates::Suppression::kUnlimited,
-                                     {kSamePose, view_.shape.radius()}});
+    templates::keep_distinct(candidates, candidates.size(), {kSamePose, view_.shape.radius()});
   }
 
   /// Verifies the poses of the paper's search without aligning them.
@@ -189,9 +174,8 @@ class ViewSearch {
   const prepared::PreparedView& view_;
   const scene::SceneImage& scene_;
   cv::Rect roi_;
-  bool everywhere_;
   SearchMode mode_;
-  FirstSearch first_;
+  SearchBudget first_;
   Proposals proposals_;
 };
 
@@ -200,8 +184,8 @@ class ViewSearch {
 std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
                                              const prepared::PreparedView& view,
                                              const scene::SceneImage& scene, const cv::Rect& roi,
-                                             SearchMode mode, const proposal::SearchMask& places) {
-  return ViewSearch(object, view, scene, roi, mode, places).run();
+                                             SearchMode mode) {
+  return ViewSearch(object, view, scene, roi, mode).run();
 }
 
 }  // namespace mbncc::search

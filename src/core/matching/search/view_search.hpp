@@ -29,7 +29,6 @@ inline bool is_reduced(SearchMode mode) {
 std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
                                              const prepared::PreparedView& view,
                                              const scene::SceneImage& scene, const cv::Rect& roi,
-                                             SearchMode mode,
-                                             const proposal::SearchMask& places = {});
+                                             SearchMode mode);
 
 }  // namespace mbncc::search

@@ -45,6 +45,11 @@ void suppress(std::vector<Candidate>& candidates, const Suppression& suppression
   candidates = std::move(kept);
 }
 
+void keep_distinct(std::vector<Candidate>& candidates, std::size_t most,
+                   const DuplicateRadius& alike) {
+  suppress(candidates, {most, Suppression::kUnlimited, Suppression::kUnlimited, alike});
+}
+
 void drop_below(double floor, std::vector<Candidate>& candidates) {
   while (!candidates.empty() && candidates.back().value < floor) candidates.pop_back();
 }

@@ -39,6 +39,10 @@ void sort_by_value(std::vector<Candidate>& candidates);
 /// Sorts by value, best first, and applies non-maximum suppression.
 void suppress(std::vector<Candidate>& candidates, const Suppression& suppression);
 
+/// Keeps the best `most` candidates, best first, without duplicates.
+void keep_distinct(std::vector<Candidate>& candidates, std::size_t most,
+                   const DuplicateRadius& alike);
+
 /// Drops those below `floor` from sorted candidates.
 void drop_below(double floor, std::vector<Candidate>& candidates);
 

@@ -25,15 +25,6 @@ bool MapFootprint::covers(cv::Point2d point) const {
   return cv::Rect({0, 0}, map_.size()).contains(pixel) && map_.at<uchar>(pixel) != 0;
 }
 
-double MapFootprint::visible(const Pose2D& pose, cv::Size size) const {
-  const Transform placed(pose);
-  const auto inside = std::count_if(sample_.begin(), sample_.end(), [&](cv::Point2d point) {
-    const cv::Point2d at = placed(point);
-    return at.x >= 0 && at.y >= 0 && at.x <= size.width - 1 && at.y <= size.height - 1;
-  });
-  return static_cast<double>(inside) / static_cast<double>(sample_.size());
-}
-
 double overlap(const MapFootprint& a, const Pose2D& pose_a, const MapFootprint& b,
                const Pose2D& pose_b) {
   if (a.area() > b.area()) return overlap(b, pose_b, a, pose_a);

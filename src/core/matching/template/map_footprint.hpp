@@ -17,14 +17,11 @@ class MapFootprint {
   double area() const { return area_; }      ///< [px]
   double radius() const { return radius_; }  ///< [px] farthest map pixel from the anchor
 
-  /// True when the map covers a point of the shape's frame.
-  bool covers(cv::Point2d point) const;
-
-  /// Part [0..1] of the map that lies in an image of `size`.
-  double visible(const Pose2D& pose, cv::Size size) const;
-
  private:
   friend double overlap(const MapFootprint&, const Pose2D&, const MapFootprint&, const Pose2D&);
+
+  /// Whether the map covers a point of the shape's frame.
+  bool covers(cv::Point2d point) const;
 
   cv::Mat map_;
   cv::Point2d anchor_;

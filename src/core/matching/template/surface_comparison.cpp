@@ -19,13 +19,12 @@ void fill_left_out(SurfaceSample& sample) {
       {counts, sample.planes[0].data(), sample.planes[1].data(), sample.planes[2].data()},
       sample.inside.size());
   sample.visible = static_cast<std::size_t>(count + 0.5);
-  if (sample.visible == 0) return;
+  if (sample.visible == 0 || sample.visible == sample.points) return;
   const double sums[] = {blue, green, red};
   for (std::size_t c = 0; c < sample.planes.size(); ++c) {
-    sample.means[c] = sums[c] / static_cast<double>(sample.visible);
-    if (sample.visible == sample.points) continue;
+    const auto mean = static_cast<float>(sums[c] / static_cast<double>(sample.visible));
     for (std::size_t i = 0; i < sample.points; ++i)
-      if (sample.inside[i] == 0) sample.planes[c][i] = static_cast<float>(sample.means[c]);
+      if (sample.inside[i] == 0) sample.planes[c][i] = mean;
   }
 }
 
@@ -125,19 +124,16 @@ double SurfaceTemplate::unexplained(const Residual& residual) const {
   return std::max(0.0, left) / count;
 }
 
-SurfaceDifference SurfaceTemplate::difference(const SurfaceSample& sample, double gain) const {
-  double rest = 0, shading = 0;
+double SurfaceTemplate::shading_difference(const SurfaceSample& sample, double gain) const {
+  double shading = 0;
   for (int c = 0; c < kChannels; ++c) {
     std::vector<float> difference = sample.planes[c];
     kernels::subtract(difference, gain, planes[c].data());
-    rest += kernels::product(difference, difference.data());
     float products[ShadingBasis::kMostRows];
     basis.products(difference.data(), products);
-    for (int k = 0; k < basis.size(); ++k) rest -= products[k] * products[k];
     for (int k = 1; k < basis.size(); ++k) shading += products[k] * products[k];
   }
-  const double values = kChannels * static_cast<double>(size());
-  return {rest / values, shading / values};
+  return shading / (kChannels * static_cast<double>(size()));
 }
 
 double SurfaceTemplate::contrast(const SurfaceSample& sample) const {

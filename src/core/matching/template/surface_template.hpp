@@ -23,18 +23,11 @@ constexpr float kMaySaturate = 0.85F * 3 * kSaturated;
 /// Colours of an image at the points of a surface: one plane per channel (b, g, r).
 struct SurfaceSample {
   std::array<std::vector<float>, 3> planes;  ///< padded with zeros to whole lanes
-  std::vector<float> inside;      ///< 1: compared; 0: outside the image, a highlight, or padding
-  std::array<double, 3> means{};  ///< of the compared points, per channel
+  std::vector<float> inside;  ///< 1: compared; 0: outside the image, a highlight, or padding
   std::size_t visible = 0, points = 0;  ///< number of compared points, of all points
 
   /// Whether enough is visible for a comparison.
   bool suffices() const { return visible >= 10 && 4 * visible >= points; }
-};
-
-/// Difference between an image and the template: mean squares [grey^2].
-struct SurfaceDifference {
-  double rest = 0;     ///< explained by neither template nor basis
-  double shading = 0;  ///< explained by the basis without its constant
 };
 
 class SurfaceTemplate {
@@ -85,8 +78,9 @@ class SurfaceTemplate {
   /// gain, does not explain.
   double unexplained(const Residual& residual) const;
 
-  /// Difference between the image and `gain` times the template.
-  SurfaceDifference difference(const SurfaceSample& sample, double gain = 1) const;
+  /// Mean square [grey^2] of the difference between the image and `gain` times the template that
+  /// the basis without its constant explains.
+  double shading_difference(const SurfaceSample& sample, double gain) const;
   /// Gain of the image relative to the template, after the basis is projected out.
   double contrast(const SurfaceSample& sample) const;
   /// Mean square [grey^2] of the template after the basis is projected out.
