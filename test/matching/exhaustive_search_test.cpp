@@ -112,6 +112,9 @@ TEST(PolarSearch, EveryRegionFindsTheLessonAgain) {
     EXPECT_LT(cv::norm(found.front().pose.position() - learned), 0.6);
     EXPECT_LT(angle_distance(found.front().pose.theta, 0), to_radians(1));
     EXPECT_GT(found.front().similarity, 0.9);
+    EXPECT_TRUE(
+        search.find(imaging::build_pyramid(grey, search.top_level()), {5000, 0, 9, 9}).empty())
+        << "the region lies outside the image";
   }
 }
 

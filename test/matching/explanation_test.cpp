@@ -155,6 +155,18 @@ TEST_F(ExplanationTest, RefusesUnusableRequests) {
   EXPECT_TRUE(explain_place({disabled}, {}, image_, {5, 5}).empty());
 }
 
+TEST_F(ExplanationTest, ObjectsThatCannotBeSearchedForAreRefusedOnlyIfNamed) {
+  cv::Mat map = cv::Mat::zeros(420, 420, CV_8UC1);
+  map(cv::Rect(20, 20, 380, 380)) = 255;
+  const auto large = test::object_from(test::LearningImage(7, map), {210, 210, 0}, "large");
+  const cv::Mat strip = image_.rowRange(100, 120);
+  const auto explained = explain_place({object_, large}, {}, strip, {150, 10});
+  ASSERT_EQ(explained.size(), 1u);
+  EXPECT_EQ(explained[0].name, object_->name);
+  EXPECT_THROW(explain_place({object_, large}, {}, strip, {150, 10}, {"large"}),
+               std::invalid_argument);
+}
+
 TEST_F(ExplanationTest, ExplanationIsDrawn) {
   const auto explanations = explain_place({object_}, {}, image_, truth_.position());
   const cv::Mat drawn = draw_explanation(image_, truth_.position(), explanations);

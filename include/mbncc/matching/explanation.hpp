@@ -52,9 +52,9 @@ struct Explanation {
 };
 
 /// Explains the result at `place` [px] of a search for all enabled `objects` in `image`: one
-/// explanation per enabled object, or per name if `names` is not empty, most likely first. Throws
-/// std::invalid_argument like Matcher::find(), and if the place is outside the image or a name is
-/// unknown or disabled.
+/// explanation per enabled object that can be searched for, or per name if `names` is not empty,
+/// most likely first. Throws std::invalid_argument like Matcher::find(), and if the place is
+/// outside the image or a name is unknown, disabled or cannot be searched for.
 std::vector<Explanation> explain_place(
     const std::vector<std::shared_ptr<const ObjectModel>>& objects, const SearchConfig& config,
     const cv::Mat& image, cv::Point2d place, const std::vector<std::string>& names = {});

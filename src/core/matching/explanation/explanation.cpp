@@ -5,7 +5,6 @@
 #include <cmath>
 #include <limits>
 #include <opencv2/imgproc.hpp>
-#include <optional>
 #include <stdexcept>
 
 #include "matching/evidence/evidence.hpp"
@@ -121,11 +120,6 @@ void take_match(const Match& match, const SearchConfig& config, double min_score
   check("min_visible", match.visible, config.min_visible, false);
 }
 
-/// Results of searching the whole image as configured (`usual`) and without thresholds (`all`).
-struct Searched {
-  SearchResult usual, all;
-};
-
 class Explainer {
  public:
   Explainer(const Models& objects, const SearchConfig& config, const cv::Mat& image,
@@ -133,30 +127,35 @@ class Explainer {
       : config_(config), place_(place) {
     Matcher matcher(config);
     matcher.set_objects(objects, true);
-    searched_.usual = matcher.find(image);
+    usual_ = matcher.find(image);
     SearchRequest all;
     all.min_score = 0;
     all.max_instances = kAllInstances;
-    searched_.all = matcher.find(image, all);
+    all_ = matcher.find(image, all);
     image_ = image;
+  }
+
+  /// Why the object was not searched for; "" if it was.
+  std::string not_searched(const std::string& name) const {
+    for (const auto& skipped : usual_.skipped)
+      if (skipped.rfind(name + ": ", 0) == 0) return skipped;
+    return "";
   }
 
   Explanation of(const std::shared_ptr<const ObjectModel>& model) {
     Explanation explanation;
     explanation.name = model->name;
     const double min_score = model->min_score.value_or(config_.min_score);
-    const prepared::Engine engine =
-        config_.engine == "polar" ? prepared::Engine::kPolar : prepared::Engine::kFast;
-    const auto prepared =
-        std::make_shared<const prepared::PreparedObject>(model, engine, config_.scale_range);
+    const auto prepared = std::make_shared<const prepared::PreparedObject>(
+        model, prepared::engine_of(config_), config_.scale_range);
     const auto [object, scene] = prepared::comparisons({prepared}, image_, scenes_).front();
-    if (const Match* match = best_at(searched_.usual.matches, model->name, place_)) {
+    if (const Match* match = best_at(usual_.matches, model->name, place_)) {
       explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
       take_match(*match, config_, min_score, explanation);
-    } else if (const Match* held_back = best_at(searched_.all.matches, model->name, place_)) {
+    } else if (const Match* held_back = best_at(all_.matches, model->name, place_)) {
       explanation.outcome = Outcome::kRejected;
       take_match(*held_back, config_, min_score, explanation);
-    } else if (const Rival* rival = best_at(searched_.usual.rivals, model->name, place_)) {
+    } else if (const Rival* rival = best_at(usual_.rivals, model->name, place_)) {
       explanation.outcome = Outcome::kRejected;
       judge_at(*object, *scene, explanation);
       explanation.odds = rival->odds;
@@ -165,7 +164,7 @@ class Explainer {
       judge_at(*object, *scene, explanation);
     }
     if (explanation.outcome == Outcome::kRejected || explanation.outcome == Outcome::kNotProposed)
-      explanation.covered_by = covering(searched_.usual.matches, model->name, explanation.outline);
+      explanation.covered_by = covering(usual_.matches, model->name, explanation.outline);
     if (!explanation.outline.empty()) take_best_evidence(*object, *scene, explanation);
     return explanation;
   }
@@ -174,13 +173,13 @@ class Explainer {
   /// Sets pose and score to the best ones near the place, whether or not the search proposes them.
   void judge_at(const prepared::PreparedObject& object, const scene::SceneImage& scene,
                 Explanation& explanation) const {
-    const auto clutter = searched_.usual.clutter.find(object.model->name);
+    const auto clutter = usual_.clutter.find(object.model->name);
     explanation.odds.best_at_place = -std::numeric_limits<double>::infinity();
     for (const auto& view : object.views) {
       if (view.polar) continue;
       for (const auto& one : search::search_places(object, view, scene, {place_})) {
         LogOdds odds = one.odds;
-        odds.clutter = clutter == searched_.usual.clutter.end() ? 0 : clutter->second;
+        odds.clutter = clutter == usual_.clutter.end() ? 0 : clutter->second;
         if (odds.total() <= explanation.odds.total()) continue;
         explanation.odds = odds;
         explanation.scale = view.scale * one.scale;
@@ -194,7 +193,7 @@ class Explainer {
   SearchConfig config_;
   cv::Mat image_;
   cv::Point2d place_;
-  Searched searched_;
+  SearchResult usual_, all_;  // of the whole image, as configured and without thresholds
   scene::ScenePool scenes_;
 };
 
@@ -228,7 +227,13 @@ std::vector<Explanation> explain_place(const Models& objects, const SearchConfig
                                 " px");
   Explainer explainer(objects, config, image, place);
   std::vector<Explanation> explanations;
-  for (const auto& object : asked) explanations.push_back(explainer.of(object));
+  for (const auto& object : asked) {
+    const std::string fault = explainer.not_searched(object->name);
+    if (fault.empty())
+      explanations.push_back(explainer.of(object));
+    else if (!names.empty())
+      throw std::invalid_argument(fault);
+  }
   std::stable_sort(
       explanations.begin(), explanations.end(),
       [](const Explanation& a, const Explanation& b) { return a.odds.total() > b.odds.total(); });

@@ -103,6 +103,7 @@ std::vector<PolarPose> PolarSearch::scan(const cv::Mat& grey, int level,
   const cv::Rect area = cv::Rect(roi.x / side, roi.y / side, (roi.width + side - 1) / side,
                                  (roi.height + side - 1) / side) &
                         cv::Rect({0, 0}, grey.size());
+  if (area.empty()) return {};
   std::vector<PolarPose> best(area.area());
   cv::Mat values(area.size(), CV_64FC1), highest;
   for (int y = 0; y < area.height; ++y)
