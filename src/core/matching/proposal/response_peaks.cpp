@@ -2,8 +2,37 @@
 #include "matching/proposal/response_peaks.hpp"
 
 #include <algorithm>
+#include <cstring>
+
+#include "simd/clones.hpp"
 
 namespace mbncc::proposal {
+namespace {
+
+/// Sets `marked` to 1 where a value of `row` is at least `least` and no neighbour exceeds it, else
+/// to 0. The rows have `count` values, `columns` has `count` + 2.
+MBNCC_CLONES
+void mark_peaks(const std::int16_t* __restrict above, const std::int16_t* __restrict row,
+                const std::int16_t* __restrict below, int count, std::int16_t least,
+                std::int16_t* __restrict columns, std::uint8_t* __restrict marked) {
+  for (int x = 0; x < count; ++x) {
+    const std::int16_t vertical = above[x] > below[x] ? above[x] : below[x];
+    columns[x + 1] = vertical > row[x] ? vertical : row[x];
+  }
+  for (int x = 0; x < count; ++x) {
+    const std::int16_t beside = columns[x] > columns[x + 2] ? columns[x] : columns[x + 2];
+    const std::int16_t around = beside > columns[x + 1] ? beside : columns[x + 1];
+    marked[x] = row[x] >= (around > least ? around : least) ? 1 : 0;
+  }
+}
+
+/// Sets the values of `row` to 0 where `wanted` is 0.
+MBNCC_CLONES
+void keep_wanted(const std::uint8_t* __restrict wanted, int count, std::int16_t* __restrict row) {
+  for (int x = 0; x < count; ++x) row[x] = wanted[x] != 0 ? row[x] : std::int16_t{0};
+}
+
+}  // namespace
 
 std::vector<ResponsePeak>::iterator put_best_first(std::vector<ResponsePeak>& peaks,
                                                    std::size_t count) {
@@ -17,7 +46,9 @@ PeakFinder::PeakFinder(int width, int parts)
     : width_(width),
       parts_(parts),
       best_(static_cast<std::size_t>(kRows) * width, 0),
-      labels_(best_.size(), 0) {}
+      labels_(best_.size(), 0),
+      column_(width + 2, 0),
+      marked_(width) {}
 
 void PeakFinder::add_rotation(const ContourBank::Rotation& rotation, std::size_t label,
                               const scene::ResponseMaps& maps) {
@@ -42,25 +73,23 @@ void PeakFinder::sum_responses(const std::int8_t* maps, int stride, int x, int c
 }
 
 void PeakFinder::keep(int row, const std::uint8_t* wanted) {
-  std::int16_t* best = &best_[(kKept + row) * width_];
-  for (int x = 0; x < width_; ++x)
-    if (wanted[x] == 0) best[x] = 0;
+  keep_wanted(wanted, width_, &best_[(kKept + row) * width_]);
 }
 
 void PeakFinder::add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>& peaks) {
-  for (int row = 1; row <= kBand; ++row)
-    for (int x = 0; x < width_; ++x) {
+  for (int row = 1; row <= kBand; ++row) {
+    const std::int16_t* best = &best_[row * width_];
+    mark_peaks(best - width_, best, best + width_, width_, least, column_.data(), marked_.data());
+    const std::uint8_t* const end = marked_.data() + width_;
+    for (const std::uint8_t* at = marked_.data();
+         (at = static_cast<const std::uint8_t*>(
+              std::memchr(at, 1, static_cast<std::size_t>(end - at)))) != nullptr;
+         ++at) {
+      const auto x = static_cast<int>(at - marked_.data());
       const int i = row * width_ + x;
-      if (best_[i] >= least && is_peak(i, x))
-        peaks.emplace_back(best_[i], labels_[i], x, y - kKept + row);
+      peaks.emplace_back(best_[i], labels_[i], x, y - kKept + row);
     }
-}
-
-bool PeakFinder::is_peak(int i, int x) const {
-  for (int above = i - width_; above <= i + width_; above += width_)
-    for (int dx = x > 0 ? -1 : 0; dx <= (x + 1 < width_ ? 1 : 0); ++dx)
-      if (best_[above + dx] > best_[i]) return false;
-  return true;
+  }
 }
 
 }  // namespace mbncc::proposal

@@ -65,8 +65,6 @@ class PeakFinder {
   void add_peaks(std::int16_t least, int y, std::vector<ResponsePeak>& peaks);
 
  private:
-  bool is_peak(int i, int x) const;
-
   static constexpr int kKept = 2;
   static constexpr int kRows = kKept + kBand;
 
@@ -74,6 +72,8 @@ class PeakFinder {
   std::vector<std::int16_t> labels_of_rotations_;  // indices of the rotations
   int width_, parts_, terms_ = 0;
   std::vector<std::int16_t> best_, labels_;  // kRows rows: largest sums and their rotations
+  std::vector<std::int16_t> column_;         // largest of three rows, one more on each side
+  std::vector<std::uint8_t> marked_;         // 1: peaks of a row
 };
 
 }  // namespace mbncc::proposal
