@@ -12,7 +12,7 @@ struct LogOdds {
   double evidence = 0;  ///< of the features at the pose (docs/decisions/0019-evidence-model.md)
   double colour = 0;    ///< subtracted: a part has another colour (0023)
   double mirror = 0;    ///< subtracted: the mirrored outline fits better (0024)
-  double print = 0;     ///< subtracted: edges inside the outline differ (0023)
+  double print = 0;     ///< subtracted: the print inside the outline differs (0023)
   double best_at_place = 0;  ///< of_pose() of the best rotation at this place (0022)
   double resized = 0;        ///< part of best_at_place gained by refining at another size (0032)
   double rotation = 0;       ///< subtracted: lead of the best rotation here over this one (0022)

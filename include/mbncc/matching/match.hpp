@@ -55,7 +55,8 @@ struct Match {
   cv::Point2d to_symmetry_centre;
   std::vector<Doubt> doubts;  ///< reasons against grasping apart from competitors
   /// All conditions for a grasp hold in this image: score, margins, visible part, standard
-  /// deviations, colours of parts, edges inside the outline, size, no better fit of the outline
+  /// deviations, colours of parts, print, size, nothing larger that the object is a part of, no
+  /// better fit of the outline
   /// nearby, mirrored or torn, and a probability of at least .98.
   bool graspable = false;
   bool ambiguous = false;  ///< the score suffices, but another pose or object may be there

@@ -21,8 +21,8 @@ struct SearchRequest {
   /// [px] Must contain the reference points, of symmetric objects at one of the equivalent poses,
   /// which is then reported. May exceed the image. Empty: everywhere.
   cv::Rect roi;
-  double min_score = -1;           ///< negative: the configured one, or the object's own
-  int max_instances = 0;           ///< 0: the configured one
+  double min_score = -1;  ///< negative: the configured one, or the object's own
+  int max_instances = 0;  ///< 0: the configured one
   /// Total number of objects if this request is part of a larger search whose objects are searched
   /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;

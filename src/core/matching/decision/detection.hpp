@@ -31,11 +31,12 @@ struct Detection {
   LogOdds odds;                                ///< that the object lies at the pose
   double similarity = 0;                       ///< [-1..1]
   double visible = 1;                          ///< [0..1]
-  double colour_difference = 0;                ///< [0..2] larger member of ColourDifference
   bool size_alternative = false;    ///< a size fits that heights and tilts do not explain
   bool mirror_alternative = false;  ///< its mirrored outline fits better
-  /// See InteriorDifference::largest; compared when the pose is refined.
-  double interior_difference = std::numeric_limits<double>::infinity();
+  double colour_difference = 0;     ///< see ColourParts::worst_difference()
+  /// See PrintDifference::largest; compared when the pose is refined.
+  double print_difference = std::numeric_limits<double>::infinity();
+  double continued = 0;                       ///< see OutlineContrast::longest_continued()
   bool torn = false;                          ///< rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
   double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()

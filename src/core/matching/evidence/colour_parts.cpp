@@ -99,14 +99,6 @@ std::vector<VisiblePart> by_part(const std::vector<int>& part_of,
   return parts;
 }
 
-/// Index of each point's block.
-std::vector<int> blocks_of(const templates::SurfaceTemplate& surface) {
-  std::vector<int> blocks;
-  for (std::size_t k = 0; k < surface.block_ends.size(); ++k)
-    blocks.resize(surface.block_ends[k], static_cast<int>(k));
-  return blocks;
-}
-
 /// `off` minus the contribution of an unknown fraction of background.
 cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
   constexpr float kSame = 0.01f;  // chroma difference; more similar backgrounds explain nothing
@@ -140,8 +132,7 @@ ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
     : ground_(ground) {
   constexpr std::size_t kMost = 24;  // contour points used per point
   if (surface.size() < kParts || contour.size() == 0) return;
-  colour_ = parts_of(surface);
-  block_ = blocks_of(surface);
+  part_ = parts_of(surface);
   for (std::size_t i = 0; i < surface.size(); ++i) {
     const std::vector<int> beside = templates::points_beside(contour, {surface.x[i], surface.y[i]});
     const std::size_t count = std::min(kMost, beside.size());
@@ -158,7 +149,7 @@ std::vector<float> ColourParts::weights_from_contour(
   std::vector<float> weights(sample.inside.size(), 0.f), clear(contour.seen);
   for (std::size_t i = 0; i < clear.size(); ++i)
     if (!templates::is_clear(contour.response[i])) clear[i] = 0;
-  for (std::size_t i = 0; i < colour_.size(); ++i) {
+  for (std::size_t i = 0; i < part_.size(); ++i) {
     float found = 0, seen = 0;
     for (const int at : beside_[i]) {
       seen += contour.seen[at];
@@ -170,13 +161,13 @@ std::vector<float> ColourParts::weights_from_contour(
   return weights;
 }
 
-ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate& surface,
-                                                const templates::SurfaceSample& sample,
-                                                const templates::ContourSample& contour,
-                                                const cv::Vec3f& ground) const {
+double ColourParts::worst_difference(const templates::SurfaceTemplate& surface,
+                                     const templates::SurfaceSample& sample,
+                                     const templates::ContourSample& contour,
+                                     const cv::Vec3f& ground) const {
   constexpr float kDark = 30;       // [grey levels] in the lesson
   constexpr float kUnseen = 0.02f;  // weight, when fitting the light, without found contour points
-  if (colour_.empty() || !sample.suffices()) return {};
+  if (part_.empty() || !sample.suffices()) return 0;
   const std::vector<float> weights = weights_from_contour(sample, contour);
   std::vector<float> lit = sample.inside;
   for (std::size_t i = 0; i < lit.size(); ++i) lit[i] *= weights[i] + kUnseen;
@@ -195,17 +186,14 @@ ColourDifference ColourParts::worst_differences(const templates::SurfaceTemplate
     off[i] = chroma_off(colour(surface.planes), colour(sample.planes));
   }
   const cv::Point2f ground_off = chroma_off(ground_, ground);
-  const auto worst_of = [&](const std::vector<int>& part_of) {
-    std::vector<PartDifference> differences;
-    for (auto& part : by_part(part_of, off, weights)) {
-      if (!part.suffices()) continue;
-      const cv::Point2f typical(numeric::weighted_median(part.red),
-                                numeric::weighted_median(part.blue));
-      differences.push_back({cv::norm(unexplained(typical, ground_off)), part.points});
-    }
-    return worst_of_share(std::move(differences), surface.size());
-  };
-  return {worst_of(colour_), worst_of(block_)};
+  std::vector<PartDifference> differences;
+  for (auto& part : by_part(part_, off, weights)) {
+    if (!part.suffices()) continue;
+    const cv::Point2f typical(numeric::weighted_median(part.red),
+                              numeric::weighted_median(part.blue));
+    differences.push_back({cv::norm(unexplained(typical, ground_off)), part.points});
+  }
+  return worst_of_share(std::move(differences), surface.size());
 }
 
 }  // namespace mbncc::evidence

@@ -16,13 +16,6 @@ namespace mbncc::evidence {
 cv::Vec3f background_colour(const templates::ContourTemplate& contour,
                             const scene::SceneLevel& scene, const Pose2D& pose, double scale = 1);
 
-/// [0..2] Chroma difference (ln R/G, ln B/G) between image and lesson, in the light of the image,
-/// that parts with at least .045 of the surface's points reach together.
-struct ColourDifference {
-  double colour = 0;  ///< over parts of uniform colour: less sensitive to occlusion
-  double block = 0;   ///< over blocks: also sensitive to occlusion inside the outline
-};
-
 class ColourParts {
  public:
   ColourParts() = default;
@@ -31,21 +24,20 @@ class ColourParts {
   ColourParts(const templates::SurfaceTemplate& surface, const templates::ContourTemplate& contour,
               const cv::Vec3f& ground);
 
-  /// Uses only points near a found contour, because an occluder hides the contour as well.
-  /// Differences explained by another `ground` are subtracted, because learned maps contain some
-  /// background.
-  ColourDifference worst_differences(const templates::SurfaceTemplate& surface,
-                                     const templates::SurfaceSample& sample,
-                                     const templates::ContourSample& contour,
-                                     const cv::Vec3f& ground) const;
+  /// [0..2] Chroma difference (ln R/G, ln B/G) between image and lesson, in the light of the image,
+  /// that parts with at least .045 of the surface's points reach together. Uses only points near a
+  /// found contour, because an occluder hides the contour as well. Differences explained by another
+  /// `ground` are subtracted, because learned maps contain some background.
+  double worst_difference(const templates::SurfaceTemplate& surface,
+                          const templates::SurfaceSample& sample,
+                          const templates::ContourSample& contour, const cv::Vec3f& ground) const;
 
  private:
   std::vector<float> weights_from_contour(const templates::SurfaceSample& sample,
                                           const templates::ContourSample& contour) const;
 
   cv::Vec3f ground_;                      ///< background_colour() in the lesson
-  std::vector<int> colour_;               ///< of each point: index of its part of uniform colour
-  std::vector<int> block_;                ///< of each point: index of its block
+  std::vector<int> part_;                 ///< of each point: index of its part of uniform colour
   std::vector<std::vector<int>> beside_;  ///< of each point: indices of contour points beside it
 };
 

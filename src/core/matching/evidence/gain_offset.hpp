@@ -6,6 +6,8 @@
 #include <array>
 #include <vector>
 
+#include "matching/template/surface_template.hpp"
+
 namespace mbncc::evidence {
 
 /// One gain and offset for the whole object and all channels.
@@ -23,5 +25,10 @@ struct GainOffset {
 GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::array<std::vector<float>, 3>& seen,
                            const std::vector<float>& weights);
+
+/// Light on the surface at `pose`, `scale` times as large as the template; the lesson's if nothing
+/// of it is seen.
+GainOffset light_on(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& pixels,
+                    const Pose2D& pose, double scale);
 
 }  // namespace mbncc::evidence

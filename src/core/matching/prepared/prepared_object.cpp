@@ -213,7 +213,9 @@ PreparedView::PreparedView(const Source& source, Engine engine)
         fine.surface, fine.contour,
         evidence::background_colour(fine.contour, image, {anchor.x, anchor.y, 0}));
     ratios = evidence::RatioResidual(fine.surface, shape.area());
-    interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
+    outline_contrast =
+        evidence::OutlineContrast(fine.contour, image, {anchor.x, anchor.y, 0}, shape.area());
+    print = evidence::PrintComparison(image, source.view.map, anchor);
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
   }

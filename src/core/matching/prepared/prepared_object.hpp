@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "matching/evidence/colour_parts.hpp"
-#include "matching/evidence/interior_edges.hpp"
 #include "matching/evidence/mirrored_contour.hpp"
+#include "matching/evidence/outline_contrast.hpp"
+#include "matching/evidence/print_comparison.hpp"
 #include "matching/evidence/ratio_residual.hpp"
 #include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/colour_prefilter.hpp"
@@ -59,11 +60,12 @@ class PreparedView : public mbncc::templates::ViewFrame {
       rough;  ///< per level: for pruning the coarse searches' candidates
   std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates
   templates::PoseTemplate fine;                ///< at full resolution, for the last few candidates
-  evidence::ColourParts parts;                 ///< of `fine`
   evidence::RatioResidual ratios;              ///< of `fine`
   std::array<ResizedTemplates, 2> resized;     ///< `fine`, smaller and larger
   evidence::MirroredContour mirrored_contour;  ///< of the contour of `fine`
-  evidence::InteriorEdges interior_edges;      ///< at full resolution
+  evidence::ColourParts parts;                 ///< of `fine`
+  evidence::OutlineContrast outline_contrast;  ///< of the contour of `fine`
+  evidence::PrintComparison print;             ///< at full resolution
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
   MaskedTemplate points;                       ///< all map pixels at full resolution
   std::optional<PolarSearch> polar;            ///< with Engine::kPolar

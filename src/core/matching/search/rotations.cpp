@@ -73,7 +73,43 @@ std::vector<templates::Candidate> reached_from(const prepared::PreparedView& vie
   return starts;
 }
 
+/// Direction [px] of the surface's longest extension; {0, 0} unless that is `least` times as long
+/// as the shortest.
+cv::Point2d long_axis(const templates::SurfaceTemplate& surface, double least) {
+  cv::Mat points(static_cast<int>(surface.size()), 2, CV_32F);
+  for (int i = 0; i < points.rows; ++i) {
+    points.at<float>(i, 0) = surface.x[static_cast<std::size_t>(i)];
+    points.at<float>(i, 1) = surface.y[static_cast<std::size_t>(i)];
+  }
+  if (points.rows < 2) return {0, 0};
+  const cv::PCA axes(points, cv::noArray(), cv::PCA::DATA_AS_ROW);
+  if (axes.eigenvalues.at<float>(0) < least * least * axes.eigenvalues.at<float>(1)) return {0, 0};
+  return {axes.eigenvectors.at<float>(0, 0), axes.eigenvectors.at<float>(0, 1)};
+}
+
 }  // namespace
+
+std::vector<templates::Candidate> shifts_at(const prepared::PreparedView& view,
+                                            const scene::SceneImage& scene,
+                                            const templates::Candidate& place) {
+  constexpr double kLong = 4, kStep = 2, kNear = 6;  // [1], [px], [px]
+  constexpr std::size_t kMost = 2;
+  const cv::Point2d axis = rotate(long_axis(view.templates[0].surface, kLong), place.pose.theta);
+  if (axis == cv::Point2d(0, 0)) return {};
+  const int reach = static_cast<int>(0.5 * view.shape.radius() / kStep);
+  std::vector<templates::Candidate> shifted, peaks;
+  for (int k = -reach; k <= reach; ++k) {
+    const cv::Point2d at = place.pose.position() + k * kStep * axis;
+    const Pose2D pose{at.x, at.y, place.pose.theta};
+    shifted.push_back({pose, 0, refinement::align(view.rough[0], scene.levels[0], pose, 0).value});
+  }
+  for (std::size_t k = 1; k + 1 < shifted.size(); ++k)
+    if (shifted[k].value >= shifted[k - 1].value && shifted[k].value > shifted[k + 1].value &&
+        cv::norm(shifted[k].pose.position() - place.pose.position()) > kNear)
+      peaks.push_back(shifted[k]);
+  templates::sort_by_value(peaks);
+  return reached_from(view, scene, peaks, kMost);
+}
 
 std::vector<templates::Candidate> rotations_at(const prepared::PreparedView& view,
                                                const scene::SceneImage& scene,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The rotations in which an object may lie at a place.
+// Other poses in which an object may lie at a place.
 #pragma once
 
 #include <vector>
@@ -15,5 +15,12 @@ namespace mbncc::search {
 std::vector<templates::Candidate> rotations_at(const prepared::PreparedView& view,
                                                const scene::SceneImage& scene,
                                                const templates::Candidate& place);
+
+/// The best poses of a long object that are displaced along it, at the same angle, aligned; the
+/// values are log-odds. Where an end is hidden, a periodic print leaves its place open. None if the
+/// object is not long.
+std::vector<templates::Candidate> shifts_at(const prepared::PreparedView& view,
+                                            const scene::SceneImage& scene,
+                                            const templates::Candidate& place);
 
 }  // namespace mbncc::search

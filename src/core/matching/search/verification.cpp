@@ -16,13 +16,12 @@ constexpr double kReportable = -2.2;  // log-odds of a score of .1
 constexpr int kRefinementSteps = 4;   // at most
 
 /// Colour difference of an object at a pose of log-odds `odds`.
-evidence::ColourDifference colour_difference(const prepared::PreparedView& view,
-                                             const scene::SceneLevel& scene,
-                                             const refinement::Refined& found, double odds) {
-  if (odds <= kMinOddsToRefine) return {};
+double colour_difference(const prepared::PreparedView& view, const scene::SceneLevel& scene,
+                         const refinement::Refined& found, double odds) {
+  if (odds <= kMinOddsToRefine) return 0;
   thread_local templates::PoseSample sample;
   sample.read(view.fine, scene, found.pose, 0, found.scale);
-  return view.parts.worst_differences(
+  return view.parts.worst_difference(
       view.fine.surface, sample.surface, sample.contour,
       evidence::background_colour(view.fine.contour, scene, found.pose, found.scale));
 }
@@ -40,9 +39,9 @@ double colour_penalty(double difference) {
   return kSteepness * std::max(0.0, difference - kUsual);
 }
 
-/// Log-odds penalty of another print, see InteriorDifference::enclosed.
+/// Log-odds penalty of another print, see PrintDifference::enclosed.
 double print_penalty(double enclosed) {
-  constexpr double kUsual = 0.8, kSteepness = 5;
+  constexpr double kUsual = 0.2, kSteepness = 5;
   return kSteepness * std::max(0.0, enclosed - kUsual);
 }
 
@@ -161,16 +160,14 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.covariance = place.covariance;
   detection.grasp_covariance = place.grasp_covariance;
   detection.scale_variance = place.scale_variance;
-  const evidence::ColourDifference difference =
-      colour_difference(view, scene.levels[0], place, found.odds);
-  detection.colour_difference = std::max(difference.colour, difference.block);
   const double mirrored = found.odds > kMinOddsToRefine ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  const evidence::InteriorDifference interior =
-      view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
-  detection.interior_difference = interior.largest;
-  detection.odds = log_odds_of_pose(refined.odds, colour_penalty(difference.colour),
-                                    mirror_penalty(mirrored), print_penalty(interior.enclosed));
+  const evidence::PrintDifference print =
+      view.print.difference(scene.levels[0], view.fine, place.pose, place.scale);
+  detection.colour_difference = colour_difference(view, scene.levels[0], place, found.odds);
+  detection.print_difference = print.largest;
+  detection.odds = log_odds_of_pose(refined.odds, colour_penalty(detection.colour_difference),
+                                    mirror_penalty(mirrored), print_penalty(print.enclosed));
   detection.odds.resized = refined.odds - found.odds;
 }
 
@@ -273,6 +270,8 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
     one->contour_alternative =
         evidence::advantage_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->scale);
     one->torn = is_torn(view.fine.contour, scene, *one);
+    one->continued =
+        view.outline_contrast.longest_continued(view.fine, scene.levels[0], one->pose, one->scale);
   }
 }
 

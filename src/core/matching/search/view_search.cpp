@@ -154,6 +154,8 @@ class ViewSearch {
             return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) >
                    kOtherAngle;
           });
+      const auto shifted = shifts_at(view_, scene_, places[i]);
+      needed.insert(needed.end(), shifted.begin(), shifted.end());
       needed.push_back(places[i]);
       if (rival != turned.end()) needed.push_back(*rival);
     }

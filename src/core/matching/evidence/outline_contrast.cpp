@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "matching/evidence/outline_contrast.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include "matching/evidence/gain_offset.hpp"
+
+namespace mbncc::evidence {
+namespace {
+
+constexpr double kBeside = 4;  // [px] distance from the contour at which colours are read
+
+/// Colour `distance` [px] outside (inside if negative) point `k` of the contour; none outside the
+/// image.
+std::optional<cv::Vec3f> colour_beside(const templates::ContourTemplate& contour, std::size_t k,
+                                       double distance, const cv::Mat& colours, const Pose2D& pose,
+                                       double scale) {
+  const cv::Point at = transform(pose, {scale * contour.x[k] + distance * contour.normal_x[k],
+                                        scale * contour.y[k] + distance * contour.normal_y[k]});
+  if (!at.inside(cv::Rect({0, 0}, colours.size()))) return std::nullopt;
+  return cv::Vec3f(colours.at<cv::Vec3b>(at));
+}
+
+float difference(const cv::Vec3f& a, const cv::Vec3f& b) {
+  return static_cast<float>(cv::norm(a - b, cv::NORM_INF));
+}
+
+/// Length [px] of the longest connected part of the contour in which `holds` is set.
+double longest_part(const templates::ContourTemplate& contour, const std::vector<char>& holds) {
+  const std::size_t count = holds.size();
+  std::vector<double> steps;  // to each point from the one before
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t before = (k + count - 1) % count;
+    steps.push_back(std::hypot(contour.x[k] - contour.x[before], contour.y[k] - contour.y[before]));
+  }
+  const double around = std::accumulate(steps.begin(), steps.end(), 0.0);
+  const double most = 3 * around / static_cast<double>(count);  // more leads to another outline
+  double longest = 0, part = 0;
+  for (std::size_t k = 0; k < 2 * count; ++k) {
+    const double step = steps[k % count];
+    part = !holds[k % count] ? 0 : step > most ? around / static_cast<double>(count) : part + step;
+    longest = std::max(longest, part);
+  }
+  return std::min(longest, around);
+}
+
+}  // namespace
+
+OutlineContrast::OutlineContrast(const templates::ContourTemplate& contour,
+                                 const scene::SceneLevel& lesson, const Pose2D& home, double area)
+    : side_(std::sqrt(area)) {
+  const cv::Mat& colours = lesson.whole().colour;
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    const auto in = colour_beside(contour, k, -kBeside, colours, home, 1);
+    const auto out = colour_beside(contour, k, kBeside, colours, home, 1);
+    inside_.push_back(in.value_or(cv::Vec3f()));
+    contrast_.push_back(in && out ? difference(*in, *out) : 0);
+  }
+}
+
+double OutlineContrast::longest_continued(const templates::PoseTemplate& object,
+                                          const scene::SceneLevel& scene, const Pose2D& pose,
+                                          double scale) const {
+  constexpr float kLeast = 30;                 // [grey levels] contrast in the lesson
+  constexpr float kSame = 0.15F, kOwn = 0.2F;  // parts of that contrast: of the two sides, and of
+                                               // the inner side and its expected colour
+  const templates::ContourTemplate& contour = object.contour;
+  if (contour.size() == 0) return 0;
+  const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kBeside);
+  const GainOffset light = light_on(object.surface, image, pose, scale);
+  templates::ContourSample sample;
+  templates::read_contour(contour, image.edges, pose, 0, sample, scale);
+  std::vector<char> continued(contour.size(), 0);
+  for (std::size_t k = 0; k < contour.size(); ++k) {
+    if (sample.seen[k] == 0 || templates::is_clear(sample.response[k])) continue;
+    const auto in = colour_beside(contour, k, -kBeside, image.colour, pose, scale);
+    const auto out = colour_beside(contour, k, kBeside, image.colour, pose, scale);
+    if (!in || !out) continue;
+    const float contrast = static_cast<float>(light.factor) * contrast_[k];
+    const cv::Vec3f own(light.of(inside_[k][0]), light.of(inside_[k][1]), light.of(inside_[k][2]));
+    continued[k] = contrast > kLeast && difference(*in, *out) < kSame * contrast &&
+                   difference(*in, own) < kOwn * contrast;
+  }
+  return longest_part(contour, continued) / side_;
+}
+
+}  // namespace mbncc::evidence

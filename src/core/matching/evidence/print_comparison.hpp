@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Compares an object's print, the colours inside its outline, with an image, pixel by pixel.
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "matching/scene/scene_level.hpp"
+#include "matching/template/pose_sample.hpp"
+#include "mbncc/geometry.hpp"
+
+namespace mbncc::evidence {
+
+/// Largest connected groups of pixels whose colour, in the light of the image, does not occur
+/// within 2 px in the other of lesson and image: their numbers of pixels in the lesson's frame,
+/// divided by the square root of the area inside. Only groups beside which most of the outline is
+/// found count: an occluder hides the outline.
+struct PrintDifference {
+  double largest = 0;
+  double enclosed = 0;  ///< of the groups that stay off the rim of the compared area
+};
+
+class PrintComparison {
+ public:
+  PrintComparison() = default;
+
+  /// `lesson` shows the view's crop and is at least as large as `map` (CV_8UC1). `anchor` [px] is a
+  /// position in it.
+  PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
+
+  /// Compares `object`, a template of the view, with its anchor at `pose`, `scale` times as large
+  /// as in the lesson. Highlights, as defined in surface_template.hpp, do not count.
+  PrintDifference difference(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
+                             const Pose2D& pose, double scale) const;
+
+ private:
+  /// The image resampled at the lesson's pixels.
+  struct Seen {
+    cv::Mat colour;  ///< CV_8UC3
+    cv::Mat inside;  ///< CV_8UC1, 255 inside the outline and the image
+  };
+
+  Seen at_pose(const cv::Mat& image, const Pose2D& pose, double scale) const;
+
+  cv::Mat colour_;  ///< CV_8UC3
+  cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline except for a rim
+  cv::Point2d anchor_;
+};
+
+}  // namespace mbncc::evidence
