@@ -303,9 +303,9 @@ cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) c
   cv::Mat best = cv::Mat::zeros(scene->size(), CV_32FC1);
   for (const auto& object : objects)
     for (const auto& view : object->views) {
-      if (!view.template_bank.searched()) continue;
-      const cv::Mat coarse =
-          proposal::coarse_similarity(view.template_bank, scene->grey[view.template_bank.level]);
+      const int level = view.template_bank.level;
+      if (!view.template_bank.searched() || level > scene->top_level()) continue;
+      const cv::Mat coarse = proposal::coarse_similarity(view.template_bank, scene->grey[level]);
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);

@@ -21,7 +21,7 @@ class ConclusionTest : public ::testing::Test {
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection_.odds.best_at_place = 12;
     detection_.contour_alternative = 0;
-    detection_.print_difference = 0;
+    detection_.print_difference = detection_.edge_difference = 0;
   }
 
   void verify() {
@@ -74,6 +74,9 @@ TEST_F(ConclusionTest, AnotherColourIsNamed) {
 
 TEST_F(ConclusionTest, AnotherPrintIsNamed) {
   detection_.print_difference = 0.31;
+  expect_refused("print inside the outline differs", true);
+  detection_.print_difference = 0;
+  detection_.edge_difference = 1.21;
   expect_refused("print inside the outline differs", true);
 }
 

@@ -17,9 +17,10 @@ class OutlineContrastTest : public ::testing::Test {
   const cv::Rect bar_{100, 90, 90, 30};
   const cv::Point hole_{118, 105};
 
-  cv::Mat scene_with(const cv::Rect& bar, bool hole = true) const {
+  cv::Mat scene_with(const cv::Rect& bar, bool hole = true, const cv::Rect& more = {}) const {
     cv::Mat image(220, 300, CV_8UC3, kTable);
     image(bar) = kPart;
+    image(more) = kPart;
     if (hole) cv::circle(image, hole_, 9, kTable, cv::FILLED, cv::LINE_AA);
     cv::circle(image, {165, 105}, 7, kMark, cv::FILLED, cv::LINE_AA);
     cv::GaussianBlur(image, image, {}, 0.8);
@@ -62,6 +63,14 @@ TEST_F(OutlineContrastTest, APartOfSomethingLargerGoesOn) {
   for (const double light : {1.0, 0.4})
     EXPECT_NEAR(continued_in(longer * light), bar_.height / std::sqrt(bar_.area()), 0.15) << light;
   EXPECT_FALSE(is_graspable_in(longer));
+}
+
+TEST_F(OutlineContrastTest, ItGoesOnWhereverTheOutlineStarts) {
+  for (const cv::Rect& handle :
+       {cv::Rect(bar_.x + 30, 20, 30, 80), cv::Rect(bar_.x + 30, 110, 30, 80),
+        cv::Rect(bar_.x, 20, 30, 80), cv::Rect(bar_.x + 60, 20, 30, 80)}) {
+    EXPECT_GT(continued_in(scene_with(bar_, true, handle)), 0.35) << handle;
+  }
 }
 
 TEST_F(OutlineContrastTest, AMissingHoleGoesOn) {

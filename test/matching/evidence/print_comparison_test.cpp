@@ -15,13 +15,13 @@ using Dots = std::vector<cv::Point>;
 const Dots kTaught{{44, 50}, {72, 70}, {44, 70}};
 
 /// A white tile of 64 x 44 px with black dots, in the centre of 120 x 120 pixels.
-test::LearningImage tile(const Dots& dots) {
+test::LearningImage tile(const Dots& dots, const cv::Scalar& body = {215, 220, 218},
+                         const cv::Scalar& dark = {25, 22, 20}) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(28, 38, 64, 44)) = 255;
   test::LearningImage image(3, map);
-  image.surface.setTo(cv::Scalar(215, 220, 218));
-  for (const auto& dot : dots)
-    cv::circle(image.surface, dot, 6, cv::Scalar(25, 22, 20), cv::FILLED, cv::LINE_AA);
+  image.surface.setTo(body);
+  for (const auto& dot : dots) cv::circle(image.surface, dot, 6, dark, cv::FILLED, cv::LINE_AA);
   cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
   image.surface.copyTo(image.image, map);
   return image;
@@ -172,6 +172,21 @@ TEST_F(PrintTest, ATileWithOtherDotsHasALowerScoreAndIsNotGraspable) {
   EXPECT_EQ(
       std::count(other->reasons.begin(), other->reasons.end(), "print inside the outline differs"),
       1);
+}
+
+// The brightness differs by less than shading may cause; only the edges tell.
+TEST_F(PrintTest, ATileWithAnotherFaintDotIsNotGraspable) {
+  const cv::Scalar body = cv::Scalar::all(200), faint = cv::Scalar::all(110);
+  Dots four = kTaught;
+  four.emplace_back(58, 60);
+  Matcher matcher;
+  matcher.set_objects({test::object_from(tile(kTaught, body, faint), {60, 60, 0})});
+  const auto own = matcher.find(scene_with(tile(kTaught, body, faint))).matches;
+  ASSERT_EQ(own.size(), 1u);
+  EXPECT_TRUE(own[0].graspable);
+  const auto other = matcher.find(scene_with(tile(four, body, faint))).matches;
+  ASSERT_EQ(other.size(), 1u);
+  EXPECT_EQ(other[0].reasons, std::vector<std::string>{"print inside the outline differs"});
 }
 
 const cv::Scalar kSteel(150, 150, 150), kRed(40, 40, 170), kBlack(30, 30, 30),

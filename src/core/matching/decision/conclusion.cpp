@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kForeignColour = 0.2;  // largest chroma difference of a part
 constexpr double kOtherPrint = 0.3;     // largest PrintDifference
+constexpr double kOtherEdges = 1.2;     // largest InteriorEdges::difference()
 constexpr double kContinued = 0.2;      // largest OutlineContrast::longest_continued()
 constexpr double kContradicts = 0.05;   // [agreement] largest advantage of a nearby place
 constexpr double kConvincing = 4;       // least calibrated log-odds
@@ -74,7 +75,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   } else {
     if (!(detection.contour_alternative <= kContradicts))
       doubts.push_back({false, "outline fits better beside it"});
-    if (!(detection.print_difference <= kOtherPrint))
+    if (!(detection.print_difference <= kOtherPrint && detection.edge_difference <= kOtherEdges))
       doubts.push_back({true, "print inside the outline differs"});
   }
   if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});

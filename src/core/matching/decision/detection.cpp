@@ -47,13 +47,15 @@ Pose2D object_pose_within(const Detection& detection, const cv::Rect& roi) {
       transform(detection.pose, detection.scale * detection.view->symmetry_centre);
   const cv::Point2d from = pose.position() - centre;
   const cv::Point2d to = cv::Point2d(roi.tl() + roi.br()) / 2 - centre;
-  double turn = std::atan2(from.cross(to), from.dot(to));
-  if (symmetry > 1) {
-    const double part = 2 * kPi / symmetry;
-    turn = part * std::round(turn / part);
+  const auto turned = [&](double turn) {
+    const cv::Point2d position = centre + rotate(from, turn);
+    return Pose2D{position.x, position.y, wrap_angle(pose.theta + turn)};
+  };
+  for (int k = 1; k < symmetry; ++k) {
+    const Pose2D equivalent = turned(k * 2 * kPi / symmetry);
+    if (contains(roi, equivalent.position())) return equivalent;
   }
-  const cv::Point2d position = centre + rotate(from, turn);
-  return {position.x, position.y, wrap_angle(pose.theta + turn)};
+  return symmetry == 0 ? turned(std::atan2(from.cross(to), from.dot(to))) : pose;
 }
 
 bool reference_within(const Detection& detection, const cv::Rect& roi) {

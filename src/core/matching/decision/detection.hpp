@@ -36,6 +36,7 @@ struct Detection {
   double colour_difference = 0;     ///< see ColourParts::worst_difference()
   /// See PrintDifference::largest; compared when the pose is refined.
   double print_difference = std::numeric_limits<double>::infinity();
+  double edge_difference = std::numeric_limits<double>::infinity();  ///< see InteriorEdges
   double continued = 0;                       ///< see OutlineContrast::longest_continued()
   bool torn = false;                          ///< rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
@@ -65,8 +66,9 @@ Pose2D object_pose(const Detection& detection);
 /// The view's largest outline at the detection. [px]
 std::vector<cv::Point2f> outline_at(const Detection& detection);
 
-/// Pose of the object frame; if its reference point does not lie in `roi` [px], the one of the
-/// equivalent poses of a symmetric object with the reference point nearest to the middle of `roi`.
+/// Pose of the object frame; if its reference point does not lie in `roi` [px], an equivalent pose
+/// of a symmetric object whose reference point does. Of a round object, the one whose reference
+/// point is the nearest to the middle of `roi` is tried.
 Pose2D object_pose_within(const Detection& detection, const cv::Rect& roi);
 
 /// Whether the reference point lies in `roi` [px], of a symmetric object at an equivalent pose;

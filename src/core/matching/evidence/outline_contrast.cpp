@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 
 #include "matching/evidence/gain_offset.hpp"
@@ -28,23 +27,26 @@ float difference(const cv::Vec3f& a, const cv::Vec3f& b) {
   return static_cast<float>(cv::norm(a - b, cv::NORM_INF));
 }
 
-/// Length [px] of the longest connected part of the contour in which `holds` is set.
+/// Length [px] of the longest connected part of a contour of one or several outlines in which
+/// `holds` is set.
 double longest_part(const templates::ContourTemplate& contour, const std::vector<char>& holds) {
   const std::size_t count = holds.size();
-  std::vector<double> steps;  // to each point from the one before
-  for (std::size_t k = 0; k < count; ++k) {
-    const std::size_t before = (k + count - 1) % count;
-    steps.push_back(std::hypot(contour.x[k] - contour.x[before], contour.y[k] - contour.y[before]));
+  const auto apart = [&](std::size_t a, std::size_t b) {
+    return std::hypot(contour.x[a] - contour.x[b], contour.y[a] - contour.y[b]);
+  };
+  double around = apart(0, count - 1);
+  for (std::size_t k = 1; k < count; ++k) around += apart(k - 1, k);
+  const double step = around / static_cast<double>(count);
+  double longest = 0;
+  for (std::size_t first = 0, end = 0; first < count; first = end) {
+    for (end = first + 1; end < count && apart(end - 1, end) <= 3 * step;) ++end;
+    double part = 0;  // twice around the outline, because a part may begin before its first point
+    for (std::size_t k = 0; k < 2 * (end - first); ++k) {
+      part = holds[first + k % (end - first)] ? part + step : 0;
+      longest = std::max(longest, std::min(part, step * static_cast<double>(end - first)));
+    }
   }
-  const double around = std::accumulate(steps.begin(), steps.end(), 0.0);
-  const double most = 3 * around / static_cast<double>(count);  // more leads to another outline
-  double longest = 0, part = 0;
-  for (std::size_t k = 0; k < 2 * count; ++k) {
-    const double step = steps[k % count];
-    part = !holds[k % count] ? 0 : step > most ? around / static_cast<double>(count) : part + step;
-    longest = std::max(longest, part);
-  }
-  return std::min(longest, around);
+  return longest;
 }
 
 }  // namespace

@@ -127,6 +127,9 @@ PrintComparison::PrintComparison(const scene::SceneLevel& lesson, const cv::Mat&
   const cv::Rect box = cv::boundingRect(map);
   colour_ = lesson.whole().colour(box).clone();
   anchor_ = anchor - cv::Point2d(box.tl());
+  for (const int x : {0, box.width})
+    for (const int y : {0, box.height})
+      reach_ = std::max(reach_, cv::norm(cv::Point2d(x, y) - anchor_));
   cv::erode(map(box).clone(), inside_, square(kSlack), {-1, -1}, 1, cv::BORDER_CONSTANT,
             cv::Scalar(0));
 }
@@ -137,7 +140,8 @@ PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
   constexpr double kDark = 30;  // [grey levels] in the lesson
   const int area = cv::countNonZero(inside_);
   if (area == 0) return {};
-  const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kSlack);
+  const scene::PreparedPixels image =
+      scene.around(pose, scale * std::max(reach_, object.reach()) + 2 * kSlack);
   const GainOffset light = light_on(object.surface, image, pose, scale);
   const Seen seen = at_pose(image.colour, pose, scale);
   const cv::Mat expected = lit(colour_, light);

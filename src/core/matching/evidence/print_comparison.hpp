@@ -44,6 +44,7 @@ class PrintComparison {
   cv::Mat colour_;  ///< CV_8UC3
   cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline except for a rim
   cv::Point2d anchor_;
+  double reach_ = 0;  ///< [px] largest distance of the lesson's corners from the anchor
 };
 
 }  // namespace mbncc::evidence

@@ -125,7 +125,9 @@ class Explainer {
   Explainer(const Models& objects, const SearchConfig& config, const cv::Mat& image,
             cv::Point2d place)
       : config_(config), place_(place) {
-    Matcher matcher(config);
+    SearchConfig unhurried = config;
+    unhurried.time_budget = 0;
+    Matcher matcher(unhurried);
     matcher.set_objects(objects, true);
     usual_ = matcher.find(image);
     SearchRequest all;

@@ -166,6 +166,8 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
       view.print.difference(scene.levels[0], view.fine, place.pose, place.scale);
   detection.colour_difference = colour_difference(view, scene.levels[0], place, found.odds);
   detection.print_difference = print.largest;
+  detection.edge_difference =
+      view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
   detection.odds = log_odds_of_pose(refined.odds, colour_penalty(detection.colour_difference),
                                     mirror_penalty(mirrored), print_penalty(print.enclosed));
   detection.odds.resized = refined.odds - found.odds;
