@@ -42,10 +42,8 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
   return light;
 }
 
-GainOffset light_on(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& pixels,
-                    const Pose2D& pose, double scale) {
-  thread_local templates::SurfaceSample sample;
-  surface.sample(pixels, pose, sample, scale);
+GainOffset light_on(const templates::SurfaceTemplate& surface,
+                    const templates::SurfaceSample& sample) {
   if (sample.visible == 0) return {};
   return fit_gain_offset(surface.planes, sample.planes, sample.inside);
 }

@@ -26,9 +26,8 @@ GainOffset fit_gain_offset(const std::array<std::vector<float>, 3>& learned,
                            const std::array<std::vector<float>, 3>& seen,
                            const std::vector<float>& weights);
 
-/// Light on the surface at `pose`, `scale` times as large as the template; the lesson's if nothing
-/// of it is seen.
-GainOffset light_on(const templates::SurfaceTemplate& surface, const scene::PreparedPixels& pixels,
-                    const Pose2D& pose, double scale);
+/// Light on the surface; the lesson's if nothing of it is seen.
+GainOffset light_on(const templates::SurfaceTemplate& surface,
+                    const templates::SurfaceSample& sample);
 
 }  // namespace mbncc::evidence

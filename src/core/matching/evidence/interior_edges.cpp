@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/gradient_orientation.hpp"
+#include "matching/evidence/lesson_pixels.hpp"
 #include "matching/template/surface_template.hpp"
 
 namespace mbncc::evidence {
@@ -47,37 +48,25 @@ struct Turn {
   float c, s;
 };
 
-/// Offsets to a pixel and those within kSlack of it, nearest first.
-std::vector<cv::Point> places_around() {
-  std::vector<cv::Point> places;
-  for (int y = -kSlack; y <= kSlack; ++y)
-    for (int x = -kSlack; x <= kSlack; ++x) places.emplace_back(x, y);
-  std::stable_sort(places.begin(), places.end(),
-                   [](const cv::Point& a, const cv::Point& b) { return a.dot(a) < b.dot(b); });
-  return places;
-}
-
 /// Edge image with a margin, in which edges near a pixel are looked up.
 class EdgesAround {
  public:
   explicit EdgesAround(const cv::Mat& edges) {
-    cv::copyMakeBorder(edges, edges_, kSlack, kSlack, kSlack, kSlack,
-                       cv::BORDER_CONSTANT | cv::BORDER_ISOLATED);
-    for (const auto& by : places_around())
-      offsets_.push_back(static_cast<std::ptrdiff_t>(by.y) * edges_.cols + by.x);
+    cv::copyMakeBorder(edges, edges_, kSlack, kSlack, kSlack, kSlack, cv::BORDER_CONSTANT);
   }
 
   /// Whether there is an edge of this direction near (x, y).
   bool has_along(int x, int y, const cv::Vec2f& direction) const {
-    const auto* at = edges_.ptr<Vector>(y + kSlack) + x + kSlack;
-    return std::any_of(offsets_.begin(), offsets_.end(), [&](std::ptrdiff_t offset) {
-      return dot(at[offset], direction) > kFaint * imaging::kEdgeScale;
-    });
+    for (int row = y; row <= y + 2 * kSlack; ++row) {
+      const auto* edge = edges_.ptr<Vector>(row) + x;
+      for (int column = 0; column <= 2 * kSlack; ++column)
+        if (dot(edge[column], direction) > kFaint * imaging::kEdgeScale) return true;
+    }
+    return false;
   }
 
  private:
-  cv::Mat edges_;  // continuous
-  std::vector<std::ptrdiff_t> offsets_;
+  cv::Mat edges_;
 };
 
 /// CV_8UC1: 255 within `where` at each clear edge of `edges` that, rotated by `angle` [rad], has no
@@ -95,17 +84,6 @@ cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const
         pixel[x] = 255;
   }
   return pixels;
-}
-
-/// Whether most of the contour is found beside `at` [px] relative to the anchor.
-bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemplate& contour,
-                             const templates::ContourSample& sample) {
-  float seen = 0, found = 0;
-  for (const int k : templates::points_beside(contour, at)) {
-    seen += sample.seen[k];
-    if (templates::is_clear(sample.response[k])) found += sample.seen[k];
-  }
-  return found > seen / 2;
 }
 
 struct Group {
@@ -147,48 +125,26 @@ InteriorEdges::InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map
 }
 
 double InteriorEdges::difference(const scene::SceneLevel& scene,
-                                 const templates::ContourTemplate& contour, const Pose2D& pose,
+                                 const templates::ContourTemplate& contour,
+                                 const templates::ContourSample& outline, const Pose2D& pose,
                                  double scale) const {
+  constexpr double kLeastFound = 0.5;  // least part of the outline found beside a group
   const int area = cv::countNonZero(inside_);
   if (area == 0) return 0;
-  const scene::PreparedPixels image =
-      scene.around(pose, scale * std::max(reach_, contour.radius()) + kSlack);
-  const Seen seen = at_pose(image, pose, scale);
+  const scene::PreparedPixels image = scene.around(pose, scale * reach_ + 2 * kSlack);
+  const LessonPixels pixels(inside_.size(), anchor_, image.size(), pose, scale);
+  const Seen seen{pixels.read(image.colour, cv::INTER_NEAREST),
+                  pixels.read(image.edges, cv::INTER_NEAREST), pixels.inside()};
   const cv::Mat where = without_highlights(seen) & seen.inside;
-  const cv::Mat pixels = only_in(edges_, pose.theta, seen.edges, where) |
-                         only_in(seen.edges, -pose.theta, edges_, where);
+  const cv::Mat differing = only_in(edges_, pose.theta, seen.edges, where) |
+                            only_in(seen.edges, -pose.theta, edges_, where);
   int largest = 0;
-  templates::ContourSample outline;
-  for (const Group& group : groups_of(pixels, where)) {
+  for (const Group& group : groups_of(differing, where)) {
     if (group.reaches || group.size <= largest) continue;
-    if (outline.response.empty())
-      templates::read_contour(contour, image.edges, pose, 0, outline, scale);
-    if (outline_is_found_beside(group.centre - anchor_, contour, outline)) largest = group.size;
+    if (templates::contour_found_beside(contour, outline, group.centre - anchor_) > kLeastFound)
+      largest = group.size;
   }
   return largest / std::sqrt(area);
-}
-
-InteriorEdges::Seen InteriorEdges::at_pose(const scene::PreparedPixels& pixels, const Pose2D& pose,
-                                           double scale) const {
-  const int reach = static_cast<int>(std::ceil(scale * reach_)) + kSlack;
-  const cv::Rect box =
-      cv::Rect(cvRound(pose.x) - reach, cvRound(pose.y) - reach, 2 * reach + 1, 2 * reach + 1) &
-      cv::Rect({0, 0}, pixels.size());
-  if (box.empty())
-    return {cv::Mat::zeros(inside_.size(), CV_8UC3), cv::Mat::zeros(inside_.size(), CV_8SC2),
-            cv::Mat::zeros(inside_.size(), CV_8UC1)};
-  const Pose2D turn{0, 0, pose.theta};
-  const cv::Point2d x = transform(turn, {scale, 0}), y = transform(turn, {0, scale});
-  const cv::Point2d corner =
-      transform(pose, -scale * anchor_) - cv::Point2d(box.tl());  // the lesson's first pixel
-  const cv::Matx23d into_box(x.x, y.x, corner.x, x.y, y.y, corner.y);
-  const auto read = [&](const cv::Mat& image) {
-    cv::Mat read;
-    cv::warpAffine(image, read, into_box, inside_.size(), cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
-    return read;
-  };
-  return {read(pixels.colour(box)), read(pixels.edges(box)),
-          read(cv::Mat(box.size(), CV_8UC1, cv::Scalar(255)))};
 }
 
 /// CV_8UC1: 255 inside the outline, except near pixels that are saturated in the image although the

@@ -24,8 +24,10 @@ class InteriorEdges {
   /// in the lesson's frame, divided by the square root of the area inside. Only groups that belong
   /// to a print count: they stay 2 px inside the compared area, and most of the outline beside them
   /// is found. Edges of highlights, as defined in surface_template.hpp, do not count.
+  /// `outline` was read there with `contour`.
   double difference(const scene::SceneLevel& scene, const templates::ContourTemplate& contour,
-                    const Pose2D& pose, double scale) const;
+                    const templates::ContourSample& outline, const Pose2D& pose,
+                    double scale) const;
 
  private:
   /// The image resampled at the lesson's pixels.
@@ -35,7 +37,6 @@ class InteriorEdges {
     cv::Mat inside;  ///< CV_8UC1, 255 inside the image
   };
 
-  Seen at_pose(const scene::PreparedPixels& pixels, const Pose2D& pose, double scale) const;
   cv::Mat without_highlights(const Seen& seen) const;
 
   cv::Mat colour_;  ///< CV_8UC3

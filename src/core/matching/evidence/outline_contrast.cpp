@@ -72,12 +72,12 @@ double OutlineContrast::longest_continued(const templates::PoseTemplate& object,
   const templates::ContourTemplate& contour = object.contour;
   if (contour.size() == 0) return 0;
   const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kBeside);
-  const GainOffset light = light_on(object.surface, image, pose, scale);
-  templates::ContourSample sample;
-  templates::read_contour(contour, image.edges, pose, 0, sample, scale);
+  thread_local templates::PoseSample sample;
+  sample.read(object, scene, pose, 0, scale);
+  const GainOffset light = light_on(object.surface, sample.surface);
   std::vector<char> continued(contour.size(), 0);
   for (std::size_t k = 0; k < contour.size(); ++k) {
-    if (sample.seen[k] == 0 || templates::is_clear(sample.response[k])) continue;
+    if (sample.contour.seen[k] == 0 || templates::is_clear(sample.contour.response[k])) continue;
     const auto in = colour_beside(contour, k, -kBeside, image.colour, pose, scale);
     const auto out = colour_beside(contour, k, kBeside, image.colour, pose, scale);
     if (!in || !out) continue;

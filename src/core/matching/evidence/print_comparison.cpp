@@ -8,6 +8,7 @@
 
 #include "imaging/rectangles.hpp"
 #include "matching/evidence/gain_offset.hpp"
+#include "matching/evidence/lesson_pixels.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -108,18 +109,6 @@ cv::Mat highlights(const cv::Mat& seen, const cv::Mat& expected) {
   return result;
 }
 
-/// Whether most of the contour is found beside `at` [px] relative to the anchor.
-bool outline_is_found_beside(const cv::Point2d& at, const templates::ContourTemplate& contour,
-                             const templates::ContourSample& sample) {
-  constexpr float kMost = 0.7F;
-  float seen = 0, found = 0;
-  for (const int k : templates::points_beside(contour, at)) {
-    seen += sample.seen[k];
-    if (templates::is_clear(sample.response[k])) found += sample.seen[k];
-  }
-  return found > kMost * seen;
-}
-
 }  // namespace
 
 PrintComparison::PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map,
@@ -136,52 +125,32 @@ PrintComparison::PrintComparison(const scene::SceneLevel& lesson, const cv::Mat&
 
 PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
                                             const templates::PoseTemplate& object,
-                                            const Pose2D& pose, double scale) const {
-  constexpr double kDark = 30;  // [grey levels] in the lesson
+                                            const templates::PoseSample& sample, const Pose2D& pose,
+                                            double scale) const {
+  constexpr double kDark = 30;         // [grey levels] in the lesson
+  constexpr double kLeastFound = 0.7;  // least part of the outline found beside a group
   const int area = cv::countNonZero(inside_);
   if (area == 0) return {};
-  const scene::PreparedPixels image =
-      scene.around(pose, scale * std::max(reach_, object.reach()) + 2 * kSlack);
-  const GainOffset light = light_on(object.surface, image, pose, scale);
-  const Seen seen = at_pose(image.colour, pose, scale);
+  const cv::Mat& colours = scene.around(pose, scale * reach_ + 2 * kSlack).colour;
+  const LessonPixels pixels(inside_.size(), anchor_, colours.size(), pose, scale);
+  const cv::Mat seen = pixels.read(colours, cv::INTER_LINEAR);
+  const GainOffset light = light_on(object.surface, sample.surface);
   const cv::Mat expected = lit(colour_, light);
-  const cv::Mat where = seen.inside & ~highlights(seen.colour, expected);
-  const cv::Mat here = logarithms(seen.colour, kDark * light.factor);
+  const cv::Mat where = pixels.inside() & inside_ & ~highlights(seen, expected);
+  const cv::Mat here = logarithms(seen, kDark * light.factor);
   const cv::Mat learned = logarithms(expected, kDark * light.factor);
   cv::Mat rim;
   cv::dilate(~where, rim, square(1));
-  templates::ContourSample outline;
-  templates::read_contour(object.contour, image.edges, pose, 0, outline, scale);
   int largest = 0, enclosed = 0;
   for (const Group& group : groups_of((only_in(here, learned) | only_in(learned, here)) & where)) {
-    if (group.size <= enclosed) continue;
-    if (!outline_is_found_beside(group.centre - anchor_, object.contour, outline)) continue;
+    if (group.size <= enclosed ||
+        templates::contour_found_beside(object.contour, sample.contour, group.centre - anchor_) <=
+            kLeastFound)
+      continue;
     largest = std::max(largest, group.size);
     if (cv::countNonZero(group.mask & rim(group.box)) == 0) enclosed = group.size;
   }
   return {largest / std::sqrt(area), enclosed / std::sqrt(area)};
-}
-
-PrintComparison::Seen PrintComparison::at_pose(const cv::Mat& image, const Pose2D& pose,
-                                               double scale) const {
-  const Transform placed(pose);
-  std::vector<cv::Point2f> corners;
-  for (const int x : {0, inside_.cols})
-    for (const int y : {0, inside_.rows})
-      corners.emplace_back(placed(scale * (cv::Point2d(x, y) - anchor_)));
-  const cv::Rect box =
-      imaging::grown(cv::boundingRect(corners), kSlack) & cv::Rect({0, 0}, image.size());
-  Seen seen{cv::Mat::zeros(inside_.size(), CV_8UC3), cv::Mat::zeros(inside_.size(), CV_8UC1)};
-  if (box.empty()) return seen;
-  const cv::Point2d first = placed(-scale * anchor_) - cv::Point2d(box.tl());
-  const cv::Point2d right = rotate({scale, 0}, pose.theta), down = rotate({0, scale}, pose.theta);
-  const cv::Matx23d from_lesson(right.x, down.x, first.x, right.y, down.y, first.y);
-  cv::warpAffine(image(box), seen.colour, from_lesson, inside_.size(),
-                 cv::INTER_LINEAR | cv::WARP_INVERSE_MAP);
-  cv::warpAffine(cv::Mat(box.size(), CV_8UC1, cv::Scalar(255)), seen.inside, from_lesson,
-                 inside_.size(), cv::INTER_NEAREST | cv::WARP_INVERSE_MAP);
-  seen.inside &= inside_;
-  return seen;
 }
 
 }  // namespace mbncc::evidence

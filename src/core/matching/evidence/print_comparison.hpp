@@ -27,20 +27,14 @@ class PrintComparison {
   /// position in it.
   PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
-  /// Compares `object`, a template of the view, with its anchor at `pose`, `scale` times as large
-  /// as in the lesson. Highlights, as defined in surface_template.hpp, do not count.
+  /// Compares the object with its anchor at `pose`, `scale` times as large as in the lesson.
+  /// `sample` was read there with `object`, a template of the view. Highlights, as defined in
+  /// surface_template.hpp, do not count.
   PrintDifference difference(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
-                             const Pose2D& pose, double scale) const;
+                             const templates::PoseSample& sample, const Pose2D& pose,
+                             double scale) const;
 
  private:
-  /// The image resampled at the lesson's pixels.
-  struct Seen {
-    cv::Mat colour;  ///< CV_8UC3
-    cv::Mat inside;  ///< CV_8UC1, 255 inside the outline and the image
-  };
-
-  Seen at_pose(const cv::Mat& image, const Pose2D& pose, double scale) const;
-
   cv::Mat colour_;  ///< CV_8UC3
   cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline except for a rim
   cv::Point2d anchor_;

@@ -15,17 +15,6 @@ namespace {
 constexpr double kReportable = -2.2;  // log-odds of a score of .1
 constexpr int kRefinementSteps = 4;   // at most
 
-/// Colour difference of an object at a pose of log-odds `odds`.
-double colour_difference(const prepared::PreparedView& view, const scene::SceneLevel& scene,
-                         const refinement::Refined& found, double odds) {
-  if (odds <= kMinOddsToRefine) return 0;
-  thread_local templates::PoseSample sample;
-  sample.read(view.fine, scene, found.pose, 0, found.scale);
-  return view.parts.worst_difference(
-      view.fine.surface, sample.surface, sample.contour,
-      evidence::background_colour(view.fine.contour, scene, found.pose, found.scale));
-}
-
 /// Log-odds penalty of a mirrored outline that fits better by this much.
 double mirror_penalty(double better) {
   constexpr double kSteepness = 100;
@@ -149,6 +138,26 @@ void read_similarity(const prepared::PreparedView& view, const scene::SceneImage
   detection.visible = read.visible;
 }
 
+/// Compares colours, print and edges at a refined pose. Returns the print's difference.
+evidence::PrintDifference compare_surface(const prepared::PreparedView& view,
+                                          const scene::SceneLevel& scene, double odds,
+                                          const refinement::Refined& place,
+                                          decision::Detection& detection) {
+  thread_local templates::PoseSample sample;
+  sample.read(view.fine, scene, place.pose, 0, place.scale);
+  detection.colour_difference =
+      odds <= kMinOddsToRefine
+          ? 0
+          : view.parts.worst_difference(
+                view.fine.surface, sample.surface, sample.contour,
+                evidence::background_colour(view.fine.contour, scene, place.pose, place.scale));
+  const auto print = view.print.difference(scene, view.fine, sample, place.pose, place.scale);
+  detection.print_difference = print.largest;
+  detection.edge_difference = view.interior_edges.difference(
+      scene, view.fine.contour, sample.contour, place.pose, place.scale);
+  return print;
+}
+
 /// Sets everything that is computed at a refined pose.
 void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene,
               const PoseHypothesis& found, const RefinedPose& refined,
@@ -162,12 +171,7 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.scale_variance = place.scale_variance;
   const double mirrored = found.odds > kMinOddsToRefine ? mirror_advantage(view, scene, place) : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
-  const evidence::PrintDifference print =
-      view.print.difference(scene.levels[0], view.fine, place.pose, place.scale);
-  detection.colour_difference = colour_difference(view, scene.levels[0], place, found.odds);
-  detection.print_difference = print.largest;
-  detection.edge_difference =
-      view.interior_edges.difference(scene.levels[0], view.fine.contour, place.pose, place.scale);
+  const auto print = compare_surface(view, scene.levels[0], found.odds, place, detection);
   detection.odds = log_odds_of_pose(refined.odds, colour_penalty(detection.colour_difference),
                                     mirror_penalty(mirrored), print_penalty(print.enclosed));
   detection.odds.resized = refined.odds - found.odds;

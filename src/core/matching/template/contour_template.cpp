@@ -100,6 +100,16 @@ double contour_found(const ContourTemplate& contour, const ContourSample& sample
   return static_cast<double>(found) / std::max(1.0, visible);
 }
 
+double contour_found_beside(const ContourTemplate& contour, const ContourSample& sample,
+                            cv::Point2f at) {
+  double seen = 0, found = 0;
+  for (const int k : points_beside(contour, at)) {
+    seen += sample.seen[k];
+    if (is_clear(sample.response[k])) found += sample.seen[k];
+  }
+  return seen > 0 ? found / seen : 0;
+}
+
 cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample) {
   float p[kProducts];
   kernels::dots(contour.products.data(), contour.x.size(), kProducts, sample.pull.data(),

@@ -72,6 +72,11 @@ std::vector<int> points_beside(const ContourTemplate& contour, cv::Point2f at);
 /// Part [0..1] of the visible contour where there is a clear edge along it.
 double contour_found(const ContourTemplate& contour, const ContourSample& sample);
 
+/// The same of the contour beside `at` [px] relative to the anchor, see points_beside(); 0 if it is
+/// not visible there.
+double contour_found_beside(const ContourTemplate& contour, const ContourSample& sample,
+                            cv::Point2f at);
+
 /// Products of the Jacobians of the found edges with respect to (dx, dy, dtheta), summed over the
 /// points with their responses as weights.
 cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
