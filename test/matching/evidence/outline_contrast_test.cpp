@@ -79,9 +79,12 @@ TEST_F(OutlineContrastTest, AMissingHoleGoesOn) {
 }
 
 TEST_F(OutlineContrastTest, ACoverIsNothingLarger) {
-  cv::Mat covered = scene_with(bar_);
-  covered(cv::Rect(160, 60, 60, 90)) = cv::Scalar(120, 170, 90);
-  EXPECT_EQ(continued_in(covered), 0);
+  for (const cv::Scalar& cover : {cv::Scalar(120, 170, 90), cv::Scalar(110, 130, 160)})
+    for (const double light : {1.0, 0.4}) {
+      cv::Mat covered = scene_with(bar_);
+      covered(cv::Rect(160, 60, 60, 90)) = cover;
+      EXPECT_EQ(continued_in(covered * light), 0) << cover << ' ' << light;
+    }
 }
 
 TEST_F(OutlineContrastTest, TheBorderOfTheImageIsNoContinuation) {

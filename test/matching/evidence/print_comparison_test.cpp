@@ -120,6 +120,15 @@ TEST_F(PrintTest, DotsOnASaturatedPartAreCompared) {
   }
 }
 
+// Whatever is seen at the missing dot saturates like what surrounds it.
+TEST_F(PrintTest, ADotMissesOnASaturatedTile) {
+  Dots more = kTaught;
+  more.emplace_back(58, 60);
+  const cv::Mat scene = scene_with(tile(kTaught)) * 1.3;
+  EXPECT_GT(difference(scene, more), 0.9);
+  EXPECT_LT(difference(scene, kTaught), 0.3);
+}
+
 TEST_F(PrintTest, PlainObjectsDoNotDiffer) {
   EXPECT_EQ(difference(scene_with(tile({})), {}), 0);
 }
@@ -181,6 +190,24 @@ TEST_F(PrintTest, ATileWithOtherDotsHasALowerScoreAndIsNotGraspable) {
   EXPECT_EQ(
       std::count(other->reasons.begin(), other->reasons.end(), "print inside the outline differs"),
       1);
+}
+
+TEST_F(PrintTest, EdgesAreComparedAtTheRotationOfThePose) {
+  const auto striped = [] {
+    test::LearningImage image = tile({});
+    cv::line(image.surface, {40, 50}, {80, 68}, {110, 110, 110}, 5);
+    cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
+    image.surface.copyTo(image.image, image.map);
+    return image;
+  }();
+  const prepared::PreparedObject object(test::object_from(striped, {60, 60, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::SceneLevel level(scene_with(striped), 0);
+  const Pose2D pose = compose(truth_, inverse(view.reference_in_anchor));
+  templates::PoseSample sample;
+  sample.read(view.fine, level, pose, 0);
+  EXPECT_LT(view.interior_edges.difference(level, view.fine.contour, sample.contour, pose, 1), 0.3);
 }
 
 // The brightness differs by less than shading may cause; only the edges tell.
