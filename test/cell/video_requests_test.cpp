@@ -75,6 +75,30 @@ TEST_F(VideoSearchTest, AfterALookAlikeIsForgottenTheOtherIsGraspable) {
   }
 }
 
+TEST_F(VideoSearchTest, AnObjectTooLargeForTheImageIsLeftOutWithAReason) {
+  const auto large = learned({30, 280, 1.5}, "large");
+  matcher_.set_objects({models_[0], large});
+  put(0, kLeft);
+  const cv::Rect strip(0, 60, kSize.width, 60);
+  const auto search = [&](const SearchRequest& request) {
+    SearchResult result;
+    for (int i = 0; i < 5; ++i) {
+      const cv::Mat image = scene_.render(placed_, frames_, {})(strip);
+      result = video_.find(matcher_, kFrameTime * frames_++, image, request);
+    }
+    return result;
+  };
+  for (const auto& names : {std::vector<std::string>{}, {name(0), large->name}}) {
+    SearchRequest request;
+    request.names = names;
+    const SearchResult result = search(request);
+    ASSERT_EQ(result.skipped.size(), 1u);
+    EXPECT_EQ(result.skipped[0].rfind("large: the image is less than", 0), 0u) << result.skipped[0];
+    ASSERT_NE(of(result, 0), nullptr);
+    EXPECT_TRUE(of(result, 0)->graspable) << "compared with all that can be searched for";
+  }
+}
+
 TEST_F(VideoSearchTest, WithoutSweepsTheWholeOfEveryImageIsSearched) {
   video_ = VideoSearch({0, 2.0});
   put(0, kLeft);

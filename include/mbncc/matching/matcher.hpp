@@ -71,8 +71,11 @@ class Matcher {
   void set_objects(std::vector<std::shared_ptr<const ObjectModel>> objects,
                    bool for_one_search = false);
 
-  /// Objects that cannot be prepared, with the reason. find() lists them in `skipped`.
+  /// Enabled objects that cannot be prepared, with the reason. find() lists them in `skipped`.
   const std::map<std::string, std::string>& unsearchable() const;
+
+  /// The same and those too large for images of this size [px].
+  std::map<std::string, std::string> unsearchable_in(cv::Size image) const;
 
   /// Objects that can be searched.
   std::vector<std::shared_ptr<const ObjectModel>> objects() const;

@@ -132,6 +132,9 @@ struct Matcher::Implementation {
   std::shared_ptr<const prepared::PreparedObject> prepare(
       const std::shared_ptr<const ObjectModel>& object, bool for_one_search) const;
 
+  /// Reasons by name of the enabled objects that cannot be searched for in images of this size.
+  std::map<std::string, std::string> unsearchable_in(cv::Size image) const;
+
   /// The requested objects that can be searched for in an image of this size; the reasons of the
   /// others go to `result.skipped`.
   ObjectList wanted(const SearchRequest& request, cv::Size image, SearchResult& result) const;
@@ -162,8 +165,20 @@ std::shared_ptr<const prepared::PreparedObject> Matcher::Implementation::prepare
   return prepared;
 }
 
+std::map<std::string, std::string> Matcher::Implementation::unsearchable_in(cv::Size image) const {
+  auto reasons = unsearchable;
+  for (const auto& object : objects) {
+    const int least = object->least_image();
+    if (object->model->enabled && std::min(image.width, image.height) < least)
+      reasons[object->model->name] =
+          "the image is less than " + std::to_string(least) + " px wide or high";
+  }
+  return reasons;
+}
+
 ObjectList Matcher::Implementation::wanted(const SearchRequest& request, cv::Size image,
                                            SearchResult& result) const {
+  const auto faults = unsearchable_in(image);
   std::vector<std::string> names = request.names;
   if (names.empty()) {
     for (const auto& [name, reason] : unsearchable) names.push_back(name);
@@ -174,17 +189,13 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request, cv::Siz
   for (const auto& name : names) {
     const auto at = std::find_if(objects.begin(), objects.end(),
                                  [&](const auto& object) { return object->model->name == name; });
-    const auto fault = unsearchable.find(name);
-    const int least = at == objects.end() ? 0 : (*at)->least_image();
-    if (fault != unsearchable.end())
+    const auto fault = faults.find(name);
+    if (fault != faults.end())
       result.skipped.push_back(name + ": " + fault->second);
     else if (at == objects.end())
       result.skipped.push_back(name + ": unknown");
     else if (!(*at)->model->enabled)
       result.skipped.push_back(name + ": disabled");
-    else if (std::min(image.width, image.height) < least)
-      result.skipped.push_back(name + ": the image is less than " + std::to_string(least) +
-                               " px wide or high");
     else if (std::find(chosen.begin(), chosen.end(), *at) == chosen.end())
       chosen.push_back(*at);
   }
@@ -283,6 +294,10 @@ void Matcher::set_objects(std::vector<std::shared_ptr<const ObjectModel>> object
 
 const std::map<std::string, std::string>& Matcher::unsearchable() const {
   return implementation_->unsearchable;
+}
+
+std::map<std::string, std::string> Matcher::unsearchable_in(cv::Size image) const {
+  return implementation_->unsearchable_in(image);
 }
 
 std::vector<std::shared_ptr<const ObjectModel>> Matcher::objects() const {

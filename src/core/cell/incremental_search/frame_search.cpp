@@ -45,7 +45,8 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
       matcher_(matcher),
       stamp_(stamp),
       search_(matcher, image, one_by_one(matcher, memory.request)) {
-  drop_removed_objects(memory_.objects.update(matcher.objects()));
+  drop_removed_objects(
+      memory_.objects.update(matcher.objects(), matcher.unsearchable_in(image.size())));
   for (const auto& [name, object] : memory_.objects.all())
     if (object.swept_at == SearchedObject::kNever) memory_.pending.add(name, everywhere());
   memory_.changes.update(stamp, image);

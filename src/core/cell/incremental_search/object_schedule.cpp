@@ -37,12 +37,15 @@ double SearchedObject::reach() const {
 }
 
 std::vector<std::string> ObjectSchedule::update(
-    std::vector<std::shared_ptr<const ObjectModel>> models) {
+    std::vector<std::shared_ptr<const ObjectModel>> models,
+    std::map<std::string, std::string> unsearchable) {
+  unsearchable_ = std::move(unsearchable);
   if (models == models_) return {};
   models_ = std::move(models);
   std::map<std::string, SearchedObject> before = std::exchange(objects_, {});
   for (const auto& model : models_) {
-    if (!is_wanted(*model)) continue;
+    if (!model->enabled || !is_requested(model->name) || unsearchable_.count(model->name) > 0)
+      continue;
     const auto known = before.find(model->name);
     if (known != before.end() && known->second.model == model)
       objects_.insert(before.extract(known));
@@ -54,9 +57,9 @@ std::vector<std::string> ObjectSchedule::update(
   return gone;
 }
 
-bool ObjectSchedule::is_wanted(const ObjectModel& model) const {
-  return model.enabled && (requested_.empty() || std::find(requested_.begin(), requested_.end(),
-                                                           model.name) != requested_.end());
+bool ObjectSchedule::is_requested(const std::string& name) const {
+  return requested_.empty() ||
+         std::find(requested_.begin(), requested_.end(), name) != requested_.end();
 }
 
 std::vector<std::string> ObjectSchedule::names() const {
@@ -90,10 +93,13 @@ std::optional<std::string> ObjectSchedule::most_urgent() const {
 }
 
 std::vector<std::string> ObjectSchedule::unavailable() const {
-  std::vector<std::string> names;
-  std::copy_if(requested_.begin(), requested_.end(), std::back_inserter(names),
-               [this](const auto& name) { return objects_.count(name) == 0; });
-  return names;
+  std::vector<std::string> reasons;
+  for (const auto& [name, reason] : unsearchable_)
+    if (is_requested(name)) reasons.push_back(name + ": " + reason);
+  for (const auto& name : requested_)
+    if (objects_.count(name) == 0 && unsearchable_.count(name) == 0)
+      reasons.push_back(name + ": unknown or disabled");
+  return reasons;
 }
 
 }  // namespace mbncc::incremental_search

@@ -31,9 +31,10 @@ class ObjectSchedule {
   /// `names`: as in SearchRequest.
   explicit ObjectSchedule(std::vector<std::string> names) : requested_(std::move(names)) {}
 
-  /// Updates the objects from a matcher. Returns the names of those that have changed or are no
-  /// longer searched for.
-  std::vector<std::string> update(std::vector<std::shared_ptr<const ObjectModel>> models);
+  /// Updates the objects from a matcher; `unsearchable`: names and reasons of those that are left
+  /// out. Returns the names of those that have changed or are no longer searched for.
+  std::vector<std::string> update(std::vector<std::shared_ptr<const ObjectModel>> models,
+                                  std::map<std::string, std::string> unsearchable);
 
   const std::map<std::string, SearchedObject>& all() const { return objects_; }
   std::vector<std::string> names() const;
@@ -51,14 +52,15 @@ class ObjectSchedule {
 
   double largest_radius() const;  ///< [px] of all objects
 
-  /// Requested objects that cannot be searched for.
+  /// "name: reason" of the requested objects that cannot be searched for.
   std::vector<std::string> unavailable() const;
 
  private:
-  bool is_wanted(const ObjectModel& model) const;
+  bool is_requested(const std::string& name) const;
 
   std::vector<std::string> requested_;
   std::vector<std::shared_ptr<const ObjectModel>> models_;
+  std::map<std::string, std::string> unsearchable_;
   std::map<std::string, SearchedObject> objects_;
 };
 

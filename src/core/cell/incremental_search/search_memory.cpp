@@ -34,8 +34,7 @@ SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
       result.skipped.push_back(name + ": not yet searched where the image changed");
     else
       result.searched.push_back(name);
-  for (const auto& name : memory.objects.unavailable())
-    result.skipped.push_back(name + ": unknown or disabled");
+  for (auto& reason : memory.objects.unavailable()) result.skipped.push_back(std::move(reason));
   for (const auto& instance : memory.instances.all())
     result.matches.push_back(instance.judged(names, config));
   const int asked = memory.request.max_instances;
