@@ -41,7 +41,10 @@ class OutlineContrastTest : public ::testing::Test {
     const prepared::PreparedObject object(model(), prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
     const Pose2D at = compose({145, 105, 0}, inverse(view.reference_in_anchor));
-    return view.outline_contrast.longest_continued(view.fine, scene::SceneLevel(image, 0), at, 1);
+    const scene::SceneLevel level(image, 0);
+    templates::PoseSample sample;
+    sample.read(view.fine, level, at, 0);
+    return view.outline_contrast.longest_continued(level, view.fine, sample, at, 1);
   }
 
   bool is_graspable_in(const cv::Mat& image) const {

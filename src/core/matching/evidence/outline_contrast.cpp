@@ -63,8 +63,9 @@ OutlineContrast::OutlineContrast(const templates::ContourTemplate& contour,
   }
 }
 
-double OutlineContrast::longest_continued(const templates::PoseTemplate& object,
-                                          const scene::SceneLevel& scene, const Pose2D& pose,
+double OutlineContrast::longest_continued(const scene::SceneLevel& scene,
+                                          const templates::PoseTemplate& object,
+                                          const templates::PoseSample& sample, const Pose2D& pose,
                                           double scale) const {
   constexpr float kLeast = 30;                 // [grey levels] contrast in the lesson
   constexpr float kSame = 0.15F, kOwn = 0.2F;  // parts of that contrast: of the two sides, and of
@@ -72,8 +73,6 @@ double OutlineContrast::longest_continued(const templates::PoseTemplate& object,
   const templates::ContourTemplate& contour = object.contour;
   if (contour.size() == 0) return 0;
   const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kBeside);
-  thread_local templates::PoseSample sample;
-  sample.read(object, scene, pose, 0, scale);
   const GainOffset light = light_on(object.surface, sample.surface);
   std::vector<char> continued(contour.size(), 0);
   for (std::size_t k = 0; k < contour.size(); ++k) {

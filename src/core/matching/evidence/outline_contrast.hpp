@@ -22,9 +22,10 @@ class OutlineContrast {
   /// Length of the longest connected part of the contour of `object` that shows in the lesson, but
   /// at `pose`, `scale` times as large, has no edge, and the object's colour on both sides in the
   /// light of the image. Length [px] in the lesson, divided by the square root of the area. Under
-  /// an occluder, the inner side has another colour.
-  double longest_continued(const templates::PoseTemplate& object, const scene::SceneLevel& scene,
-                           const Pose2D& pose, double scale) const;
+  /// an occluder, the inner side has another colour. `sample` was read there.
+  double longest_continued(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
+                           const templates::PoseSample& sample, const Pose2D& pose,
+                           double scale) const;
 
  private:
   std::vector<cv::Vec3f> inside_;

@@ -138,7 +138,7 @@ void read_similarity(const prepared::PreparedView& view, const scene::SceneImage
   detection.visible = read.visible;
 }
 
-/// Compares colours, print and edges at a refined pose. Returns the print's difference.
+/// Compares colours and print at a refined pose. Returns the print's difference.
 evidence::PrintDifference compare_surface(const prepared::PreparedView& view,
                                           const scene::SceneLevel& scene, double odds,
                                           const refinement::Refined& place,
@@ -153,8 +153,6 @@ evidence::PrintDifference compare_surface(const prepared::PreparedView& view,
                 evidence::background_colour(view.fine.contour, scene, place.pose, place.scale));
   const auto print = view.print.difference(scene, view.fine, sample, place.pose, place.scale);
   detection.print_difference = print.largest;
-  detection.edge_difference = view.interior_edges.difference(
-      scene, view.fine.contour, sample.contour, place.pose, place.scale);
   return print;
 }
 
@@ -266,18 +264,30 @@ bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage&
              evidence::kTorn;
 }
 
-/// Tests the best of the sorted detections at each place: computes the advantage of its outline at
-/// nearby places, because shading displaces a plain surface by pixels, and whether it is torn.
+/// Computes what is tested for the best pose of a place only: edges inside the outline, a larger
+/// object, the advantage of the outline at nearby places, because shading displaces a plain surface
+/// by pixels, and whether the pose is torn.
+void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
+             decision::Detection& detection) {
+  const scene::SceneLevel& level = scene.levels[0];
+  const templates::ContourTemplate& contour = view.fine.contour;
+  const Pose2D& pose = detection.pose;
+  const double scale = detection.scale;
+  thread_local templates::PoseSample sample;
+  sample.read(view.fine, level, pose, 0, scale);
+  detection.edge_difference =
+      view.interior_edges.difference(level, contour, sample.contour, pose, scale);
+  detection.continued =
+      view.outline_contrast.longest_continued(level, view.fine, sample, pose, scale);
+  detection.contour_alternative = evidence::advantage_elsewhere(contour, level, pose, scale);
+  detection.torn = is_torn(contour, scene, detection);
+}
+
 void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
-    if (!is_best_of_place(compared.begin(), one)) continue;
-    one->contour_alternative =
-        evidence::advantage_elsewhere(view.fine.contour, scene.levels[0], one->pose, one->scale);
-    one->torn = is_torn(view.fine.contour, scene, *one);
-    one->continued =
-        view.outline_contrast.longest_continued(view.fine, scene.levels[0], one->pose, one->scale);
+    if (is_best_of_place(compared.begin(), one)) examine(view, scene, *one);
   }
 }
 
