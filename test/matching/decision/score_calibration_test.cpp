@@ -42,6 +42,17 @@ TEST(Calibration, AFarBetterInstanceLowersTheScore) {
   EXPECT_LT(calibration_of(kFirm, 20, -10), calibration_of(kFirm) - 1);
 }
 
+TEST(Calibration, AnObjectThatGoesOnBeyondItsOutlineIsUnlikely) {
+  const auto calibration_with = [](double continued) {
+    Detection detection = detection_of(0, kFirm);
+    detection.continued = continued;
+    return calibration(detection, kNoCompetitor, kNoCompetitor);
+  };
+  EXPECT_DOUBLE_EQ(calibration_with(0.15), calibration_of(kFirm)) << "a short part";
+  EXPECT_LT(calibration_with(0.4), calibration_of(kFirm) - 5);
+  EXPECT_DOUBLE_EQ(calibration_with(3), calibration_with(0.6)) << "bounded";
+}
+
 TEST(Calibration, AnUnexaminedContourCountsAsNotFirm) {
   EXPECT_LE(calibration_of(kNotExamined), calibration_of(kAsGoodElsewhere));
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/outline_contrast.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 
 #include "matching/matcher_fixture.hpp"
@@ -37,22 +38,27 @@ class OutlineContrastTest : public ::testing::Test {
     return model;
   }
 
-  double continued_in(const cv::Mat& image) const {
+  MissingContrast missing_in(const cv::Mat& image) const {
     const prepared::PreparedObject object(model(), prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
     const Pose2D at = compose({145, 105, 0}, inverse(view.reference_in_anchor));
     const scene::SceneLevel level(image, 0);
     templates::PoseSample sample;
     sample.read(view.fine, level, at, 0);
-    return view.outline_contrast.longest_continued(level, view.fine, sample, at, 1);
+    return view.outline_contrast.missing(level, view.fine, sample, at, 1);
   }
 
-  bool is_graspable_in(const cv::Mat& image) const {
+  double continued_in(const cv::Mat& image) const { return missing_in(image).continued; }
+  double absent_in(const cv::Mat& image) const { return missing_in(image).absent; }
+
+  std::vector<std::string> reasons_in(const cv::Mat& image) const {
     Matcher matcher;
     matcher.set_objects({model()});
     const auto matches = matcher.find(image).matches;
-    return !matches.empty() && matches.front().graspable;
+    return matches.empty() ? std::vector<std::string>{"not found"} : matches.front().reasons;
   }
+
+  bool is_graspable_in(const cv::Mat& image) const { return reasons_in(image).empty(); }
 };
 
 TEST_F(OutlineContrastTest, TheObjectAloneDoesNotGoOnInAnyLight) {
@@ -100,6 +106,54 @@ TEST_F(OutlineContrastTest, AShortContactIsNothingLarger) {
   cv::circle(touching, {bar_.br().x + 3, 105}, 4, kPart, cv::FILLED, cv::LINE_AA);
   EXPECT_GT(continued_in(touching), 0);
   EXPECT_LT(continued_in(touching), 0.2);
+}
+
+TEST_F(OutlineContrastTest, AShorterObjectLacksAPart) {
+  const cv::Mat shorter = scene_with({bar_.tl(), cv::Size(bar_.width - 30, bar_.height)});
+  for (const double light : {1.0, 0.4}) {
+    EXPECT_GT(absent_in(shorter * light), 0.5) << light;
+    EXPECT_EQ(absent_in(scene_with(bar_) * light), 0) << light;
+  }
+  const auto reasons = reasons_in(shorter);
+  EXPECT_EQ(std::count(reasons.begin(), reasons.end(), "a part is absent"), 1);
+}
+
+TEST_F(OutlineContrastTest, ACoveredPartIsNotAbsent) {
+  for (const cv::Scalar& cover : {cv::Scalar(120, 170, 90), cv::Scalar(110, 130, 160)})
+    for (const double light : {1.0, 0.4}) {
+      cv::Mat covered = scene_with(bar_);
+      covered(cv::Rect(150, 60, 70, 90)) = cover;
+      EXPECT_EQ(absent_in(covered * light), 0) << cover << ' ' << light;
+    }
+}
+
+// Without its handle, the object looks the same after half a turn.
+TEST_F(OutlineContrastTest, AHandleThatLiesOverTheBackgroundForbidsAGrasp) {
+  const auto frame_at = [](double angle) {
+    cv::Mat image(240, 260, CV_8UC3, kTable), drawn;
+    cv::rectangle(image, {90, 90, 70, 60}, kPart, 12);
+    cv::rectangle(image, {118, 155, 14, 40}, kPart, cv::FILLED);
+    cv::warpAffine(image, drawn, cv::getRotationMatrix2D({125, 120}, angle, 1), image.size(),
+                   cv::INTER_LINEAR, cv::BORDER_REPLICATE);
+    return drawn;
+  };
+  const cv::Mat lesson = frame_at(0);
+  cv::Mat map;
+  cv::inRange(lesson, kPart, kPart, map);
+  auto model = std::make_shared<ObjectModel>();
+  model->name = "frame";
+  model->views.push_back(crop_view(lesson, map, {125, 120, 0}));
+  const prepared::PreparedObject object(model, prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::SceneLevel level(frame_at(180), 0);
+  const auto absent_at = [&](double angle) {
+    const Pose2D at = compose({125, 120, angle}, inverse(view.reference_in_anchor));
+    templates::PoseSample sample;
+    sample.read(view.fine, level, at, 0);
+    return view.outline_contrast.missing(level, view.fine, sample, at, 1).absent;
+  };
+  EXPECT_GT(absent_at(0), 0.4);
+  EXPECT_LT(absent_at(kPi), 0.1);
 }
 
 }  // namespace

@@ -192,25 +192,66 @@ TEST_F(PrintTest, ATileWithOtherDotsHasALowerScoreAndIsNotGraspable) {
       1);
 }
 
-TEST_F(PrintTest, EdgesAreComparedAtTheRotationOfThePose) {
-  const auto striped = [] {
-    test::LearningImage image = tile({});
-    cv::line(image.surface, {40, 50}, {80, 68}, {110, 110, 110}, 5);
-    cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
-    image.surface.copyTo(image.image, image.map);
-    return image;
-  }();
-  const prepared::PreparedObject object(test::object_from(striped, {60, 60, 0}),
-                                        prepared::Engine::kFast);
-  const prepared::PreparedView& view = object.views.front();
-  const scene::SceneLevel level(scene_with(striped), 0);
-  const Pose2D pose = compose(truth_, inverse(view.reference_in_anchor));
-  templates::PoseSample sample;
-  sample.read(view.fine, level, pose, 0);
-  EXPECT_LT(view.interior_edges.difference(level, view.fine.contour, sample.contour, pose, 1), 0.3);
+/// A tile with a thin outlined triangle.
+test::LearningImage with_triangle(const cv::Scalar& line, const cv::Point& tip = {80, 52}) {
+  test::LearningImage image = tile({});
+  const std::vector<cv::Point> triangle{{38, 46}, tip, {50, 76}};
+  cv::polylines(image.surface, triangle, true, line, 2, cv::LINE_AA);
+  cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
+  image.surface.copyTo(image.image, image.map);
+  return image;
 }
 
-// The brightness differs by less than shading may cause; only the edges tell.
+class FinePrintTest : public PrintTest {
+ protected:
+  const cv::Scalar red_{60, 50, 200}, purple_{150, 60, 110};
+
+  FinePrintTest() { model_ = test::object_from(with_triangle(red_), {60, 60, 0}); }
+
+  double difference_in_detail(const cv::Mat& scene) const {
+    const prepared::PreparedObject object(model_, prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    const scene::SceneLevel level(scene, 0);
+    const Pose2D pose = compose(truth_, inverse(view.reference_in_anchor));
+    templates::PoseSample sample;
+    sample.read(view.fine, level, pose, 0);
+    return view.print.difference_in_detail(level, view.fine, sample, pose, 1);
+  }
+
+  bool is_graspable_in(const cv::Mat& scene) const {
+    Matcher matcher;
+    matcher.set_objects({model_});
+    const auto matches = matcher.find(scene).matches;
+    return !matches.empty() && matches.front().graspable;
+  }
+
+  std::shared_ptr<ObjectModel> model_;
+};
+
+TEST_F(FinePrintTest, ThinLinesOfAnotherColourOrShapeDiffer) {
+  EXPECT_LT(difference_in_detail(scene_with(with_triangle(red_))), 0.2);
+  EXPECT_GT(difference_in_detail(scene_with(with_triangle(purple_))), 1.6);
+  EXPECT_GT(difference_in_detail(scene_with(with_triangle(red_, {64, 70}))), 1.6);
+  EXPECT_GT(difference_in_detail(scene_with(tile({}))), 1.6) << "no print";
+}
+
+TEST_F(FinePrintTest, OnlyTheTaughtOneIsGraspable) {
+  EXPECT_TRUE(is_graspable_in(scene_with(with_triangle(red_))));
+  EXPECT_FALSE(is_graspable_in(scene_with(with_triangle(purple_))));
+  EXPECT_FALSE(is_graspable_in(scene_with(with_triangle(red_, {64, 70}))));
+}
+
+TEST_F(FinePrintTest, GradualLightIsNoDetail) {
+  cv::Mat scene = scene_with(with_triangle(red_)), light(scene.size(), CV_32FC3);
+  for (int x = 0; x < light.cols; ++x)
+    light.col(x).setTo(cv::Scalar(0.7 + 0.002 * (x - 130), 0.75, 0.8 - 0.002 * (x - 130)));
+  scene.convertTo(scene, CV_32F);
+  scene = scene.mul(light);
+  scene.convertTo(scene, CV_8U);
+  EXPECT_LT(difference_in_detail(scene), 0.4);
+}
+
+// The brightness differs by less than shading may cause; only the details tell.
 TEST_F(PrintTest, ATileWithAnotherFaintDotIsNotGraspable) {
   const cv::Scalar body = cv::Scalar::all(200), faint = cv::Scalar::all(110);
   Dots four = kTaught;

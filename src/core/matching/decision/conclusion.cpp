@@ -13,8 +13,8 @@ namespace {
 
 constexpr double kForeignColour = 0.2;  // largest chroma difference of a part
 constexpr double kOtherPrint = 0.3;     // largest PrintDifference
-constexpr double kOtherEdges = 1.2;     // largest InteriorEdges::difference()
-constexpr double kContinued = 0.2;      // largest OutlineContrast::longest_continued()
+constexpr double kOtherDetail = 1.5;    // largest PrintComparison::difference_in_detail()
+constexpr double kMissing = 0.2;        // largest MissingContrast
 constexpr double kContradicts = 0.05;   // [agreement] largest advantage of a nearby place
 constexpr double kConvincing = 4;       // least calibrated log-odds
 
@@ -65,7 +65,8 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   if (!(detection.colour_difference <= kForeignColour))
     doubts.push_back({true, "colour of a part differs"});
   if (detection.mirror_alternative) doubts.push_back({true, "mirrored fits as well"});
-  if (!(detection.continued <= kContinued)) doubts.push_back({true, "part of something larger"});
+  if (!(detection.continued <= kMissing)) doubts.push_back({true, "part of something larger"});
+  if (!(detection.absent <= kMissing)) doubts.push_back({true, "a part is absent"});
   if (detection.torn) doubts.push_back({false, "upper and lower part lie apart"});
   if (detection.size_alternative) doubts.push_back({true, "another size fits better"});
   if (!(match.score >= config.confirm_score))
@@ -75,7 +76,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   } else {
     if (!(detection.contour_alternative <= kContradicts))
       doubts.push_back({false, "outline fits better beside it"});
-    if (!(detection.print_difference <= kOtherPrint && detection.edge_difference <= kOtherEdges))
+    if (!(detection.print_difference <= kOtherPrint && detection.detail_difference <= kOtherDetail))
       doubts.push_back({true, "print inside the outline differs"});
   }
   if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});

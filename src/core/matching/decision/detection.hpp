@@ -36,8 +36,10 @@ struct Detection {
   double colour_difference = 0;     ///< see ColourParts::worst_difference()
   /// See PrintDifference::largest; compared when the pose is refined.
   double print_difference = std::numeric_limits<double>::infinity();
-  double edge_difference = std::numeric_limits<double>::infinity();  ///< see InteriorEdges
-  double continued = 0;                       ///< see OutlineContrast::longest_continued()
+  /// See PrintComparison::difference_in_detail().
+  double detail_difference = std::numeric_limits<double>::infinity();
+  double continued = 0;                       ///< see MissingContrast
+  double absent = 0;                          ///< see MissingContrast
   bool torn = false;                          ///< rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
   double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()

@@ -10,9 +10,11 @@ double calibration(const Detection& detection, double angle_margin, double insta
   constexpr double kPerAgreement = 11.7, kFirm = -0.15, kLoose = 0.08;
   constexpr double kPerAngle = 0.4, kFarBehind = 8;      // log-odds
   constexpr double kPerInstance = 0.3, kMuchBetter = 5;  // log-odds
+  constexpr double kPerContinued = 40, kAlone = 0.2, kLarger = 0.5;
   return kUsual - kPerAgreement * std::clamp(detection.contour_alternative, kFirm, kLoose) -
          kPerAngle * std::max(0.0, kFarBehind - angle_margin) -
-         kPerInstance * std::max(0.0, -instance_margin - kMuchBetter);
+         kPerInstance * std::max(0.0, -instance_margin - kMuchBetter) -
+         kPerContinued * (std::clamp(detection.continued, kAlone, kLarger) - kAlone);
 }
 
 }  // namespace mbncc::decision

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <optional>
 
+#include "matching/evidence/colour_parts.hpp"
 #include "matching/evidence/gain_offset.hpp"
 
 namespace mbncc::evidence {
@@ -63,29 +64,36 @@ OutlineContrast::OutlineContrast(const templates::ContourTemplate& contour,
   }
 }
 
-double OutlineContrast::longest_continued(const scene::SceneLevel& scene,
-                                          const templates::PoseTemplate& object,
-                                          const templates::PoseSample& sample, const Pose2D& pose,
-                                          double scale) const {
-  constexpr float kLeast = 30;                 // [grey levels] contrast in the lesson
-  constexpr float kSame = 0.15F, kOwn = 0.2F;  // parts of that contrast: of the two sides, and of
-                                               // the inner side and its expected colour
+MissingContrast OutlineContrast::missing(const scene::SceneLevel& scene,
+                                         const templates::PoseTemplate& object,
+                                         const templates::PoseSample& sample, const Pose2D& pose,
+                                         double scale) const {
+  constexpr float kLeast = 30;  // [grey levels] contrast
+  // As parts of that contrast: differences of the two sides, and of one side from its expected
+  // colour. A background is less uniform than an object near its outline.
+  constexpr float kSame = 0.15F, kOwn = 0.2F, kSameGround = 0.35F, kGround = 0.5F;
   const templates::ContourTemplate& contour = object.contour;
-  if (contour.size() == 0) return 0;
+  if (contour.size() == 0) return {};
   const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kBeside);
   const GainOffset light = light_on(object.surface, sample.surface);
-  std::vector<char> continued(contour.size(), 0);
+  const cv::Vec3f ground = background_colour(contour, scene, pose, scale);
+  std::vector<char> continued(contour.size(), 0), absent(contour.size(), 0);
   for (std::size_t k = 0; k < contour.size(); ++k) {
     if (sample.contour.seen[k] == 0 || templates::is_clear(sample.contour.response[k])) continue;
     const auto in = colour_beside(contour, k, -kBeside, image.colour, pose, scale);
     const auto out = colour_beside(contour, k, kBeside, image.colour, pose, scale);
     if (!in || !out) continue;
-    const float contrast = static_cast<float>(light.factor) * contrast_[k];
     const cv::Vec3f own(light.of(inside_[k][0]), light.of(inside_[k][1]), light.of(inside_[k][2]));
-    continued[k] = contrast > kLeast && difference(*in, *out) < kSame * contrast &&
-                   difference(*in, own) < kOwn * contrast;
+    const float across = difference(*in, *out);
+    const float learned = static_cast<float>(light.factor) * contrast_[k];
+    continued[k] =
+        learned > kLeast && across < kSame * learned && difference(*in, own) < kOwn * learned;
+    const float expected = difference(own, ground);
+    absent[k] = expected > kLeast && across < kSameGround * expected &&
+                difference(*out, ground) < kGround * expected &&
+                difference(*in, ground) < kGround * expected;
   }
-  return longest_part(contour, continued) / side_;
+  return {longest_part(contour, continued) / side_, longest_part(contour, absent) / side_};
 }
 
 }  // namespace mbncc::evidence

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Tells whether the object is a part of something larger, whose colour goes on beyond its outline.
+// Tells whether the object is a part of something larger, whose colour goes on beyond its outline,
+// or has a part that is absent from the image.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -11,7 +12,15 @@
 
 namespace mbncc::evidence {
 
-/// The colours on both sides of a contour in the lesson.
+/// Longest connected parts of the contour that have no edge, and the same colour on both sides.
+/// Lengths [px] in the lesson, divided by the square root of the area.
+struct MissingContrast {
+  double continued = 0;  ///< the object's colour in the light of the image: it is larger
+  double absent = 0;     ///< the background's colour: the object ends before
+};
+
+/// The colours on both sides of a contour in the lesson. Under an occluder, both sides have other
+/// colours.
 class OutlineContrast {
  public:
   OutlineContrast() = default;
@@ -19,13 +28,11 @@ class OutlineContrast {
   OutlineContrast(const templates::ContourTemplate& contour, const scene::SceneLevel& lesson,
                   const Pose2D& home, double area);
 
-  /// Length of the longest connected part of the contour of `object` that shows in the lesson, but
-  /// at `pose`, `scale` times as large, has no edge, and the object's colour on both sides in the
-  /// light of the image. Length [px] in the lesson, divided by the square root of the area. Under
-  /// an occluder, the inner side has another colour. `sample` was read there.
-  double longest_continued(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
-                           const templates::PoseSample& sample, const Pose2D& pose,
-                           double scale) const;
+  /// Compares both sides of the contour of `object` at `pose`, `scale` times as large. `sample` was
+  /// read there.
+  MissingContrast missing(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
+                          const templates::PoseSample& sample, const Pose2D& pose,
+                          double scale) const;
 
  private:
   std::vector<cv::Vec3f> inside_;

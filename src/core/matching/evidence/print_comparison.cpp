@@ -13,10 +13,16 @@
 namespace mbncc::evidence {
 namespace {
 
-constexpr int kSlack = 2;  // [px] tolerated displacement, and width of the rim
-// Least differences, as natural logarithms: shading changes the brightness of a colour by less.
-constexpr double kChroma = 0.4, kBrightness = 0.9;
+constexpr int kSlack = 2;     // [px] tolerated displacement, and width of the rim
 constexpr double kUnit = 50;  // steps per natural logarithm
+constexpr int kMiddle = 128;  // value of a logarithm of 0
+
+/// Least differences, as natural logarithms.
+struct Least {
+  double chroma, brightness;
+};
+constexpr Least kColours{0.4, 0.9};  // shading changes the brightness of a colour by less
+constexpr Least kDetail{0.12, 0.2};
 
 cv::Mat square(int reach) {
   return cv::Mat::ones(2 * reach + 1, 2 * reach + 1, CV_8U);
@@ -25,7 +31,7 @@ cv::Mat square(int reach) {
 /// CV_8UC3: logarithms of red/green, blue/green and brightness. `dark` [grey levels] is added to
 /// bound noise in dark colours.
 cv::Mat logarithms(const cv::Mat& colour, double dark) {
-  constexpr int kMiddle = 128, kLeast = 50;
+  constexpr int kLeast = 50;
   int logarithm[256];
   for (int value = 0; value < 256; ++value)
     logarithm[value] = cvRound(kUnit * std::log(value + dark));
@@ -44,15 +50,38 @@ cv::Mat logarithms(const cv::Mat& colour, double dark) {
 }
 
 /// CV_8UC1: 255 where the values of `one` do not occur nearby in `other`.
-cv::Mat only_in(const cv::Mat& one, const cv::Mat& other) {
+cv::Mat only_in(const cv::Mat& one, const cv::Mat& other, const Least& least) {
   cv::Mat low, high, above, below, channels[3];
   cv::erode(other, low, square(kSlack));
   cv::dilate(other, high, square(kSlack));
   cv::subtract(one, high, above);
   cv::subtract(low, one, below);
   cv::split(cv::max(above, below), channels);
-  return (cv::max(channels[0], channels[1]) > kUnit * kChroma) |
-         (channels[2] > kUnit * kBrightness);
+  return (cv::max(channels[0], channels[1]) > kUnit * least.chroma) |
+         (channels[2] > kUnit * least.brightness);
+}
+
+cv::Mat differing(const cv::Mat& one, const cv::Mat& other, const Least& least) {
+  return only_in(one, other, least) | only_in(other, one, least);
+}
+
+/// CV_8UC3: `colours` relative to their mean around each pixel, over the pixels of `where`.
+cv::Mat relative_to_surroundings(const cv::Mat& colours, const cv::Mat& where) {
+  constexpr int kAround = 17;  // [px] side of the square
+  const auto sum = [](const cv::Mat& values) {
+    cv::Mat sums;
+    cv::boxFilter(values, sums, CV_32F, {kAround, kAround}, {-1, -1}, false, cv::BORDER_CONSTANT);
+    return sums;
+  };
+  cv::Mat counted = cv::Mat::zeros(colours.size(), CV_8UC3), ones = counted.clone(), relative;
+  colours.copyTo(counted, where);
+  ones.setTo(cv::Scalar::all(1), where);
+  const cv::Mat mean = sum(counted) / cv::max(sum(ones), 1);
+  cv::subtract(colours, mean, relative, {}, CV_32F);
+  relative += cv::Scalar::all(kMiddle);
+  relative.convertTo(relative, CV_8U);
+  relative.setTo(cv::Scalar::all(kMiddle), ~where);
+  return relative;
 }
 
 /// `colour` in another light.
@@ -123,26 +152,28 @@ PrintComparison::PrintComparison(const scene::SceneLevel& lesson, const cv::Mat&
             cv::Scalar(0));
 }
 
-PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
-                                            const templates::PoseTemplate& object,
-                                            const templates::PoseSample& sample, const Pose2D& pose,
-                                            double scale) const {
-  constexpr double kDark = 30;         // [grey levels] in the lesson
-  constexpr double kLeastFound = 0.7;  // least part of the outline found beside a group
-  const int area = cv::countNonZero(inside_);
-  if (area == 0) return {};
-  const cv::Mat& colours = scene.around(pose, scale * reach_ + 2 * kSlack).colour;
-  const LessonPixels pixels(inside_.size(), anchor_, colours.size(), pose, scale);
-  const cv::Mat seen = pixels.read(colours, cv::INTER_LINEAR);
+PrintComparison::Colours PrintComparison::colours_at(const scene::SceneLevel& scene,
+                                                     const templates::PoseTemplate& object,
+                                                     const templates::PoseSample& sample,
+                                                     const Pose2D& pose, double scale) const {
+  constexpr double kDark = 30;  // [grey levels] in the lesson
+  const cv::Mat& image = scene.around(pose, scale * reach_ + 2 * kSlack).colour;
+  const LessonPixels pixels(inside_.size(), anchor_, image.size(), pose, scale);
+  const cv::Mat seen = pixels.read(image, cv::INTER_LINEAR);
   const GainOffset light = light_on(object.surface, sample.surface);
   const cv::Mat expected = lit(colour_, light);
-  const cv::Mat where = pixels.inside() & inside_ & ~highlights(seen, expected);
-  const cv::Mat here = logarithms(seen, kDark * light.factor);
-  const cv::Mat learned = logarithms(expected, kDark * light.factor);
+  return {logarithms(seen, kDark * light.factor), logarithms(expected, kDark * light.factor),
+          pixels.inside() & inside_ & ~highlights(seen, expected)};
+}
+
+PrintDifference PrintComparison::largest_groups(const cv::Mat& differing, const cv::Mat& compared,
+                                                const templates::PoseTemplate& object,
+                                                const templates::PoseSample& sample) const {
+  constexpr double kLeastFound = 0.7;  // least part of the outline found beside a group
   cv::Mat rim;
-  cv::dilate(~where, rim, square(1));
+  cv::dilate(~compared, rim, square(1));
   int largest = 0, enclosed = 0;
-  for (const Group& group : groups_of((only_in(here, learned) | only_in(learned, here)) & where)) {
+  for (const Group& group : groups_of(differing & compared)) {
     if (group.size <= enclosed ||
         templates::contour_found_beside(object.contour, sample.contour, group.centre - anchor_) <=
             kLeastFound)
@@ -150,7 +181,30 @@ PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
     largest = std::max(largest, group.size);
     if (cv::countNonZero(group.mask & rim(group.box)) == 0) enclosed = group.size;
   }
-  return {largest / std::sqrt(area), enclosed / std::sqrt(area)};
+  const double side = std::sqrt(std::max(1, cv::countNonZero(inside_)));
+  return {largest / side, enclosed / side};
+}
+
+PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
+                                            const templates::PoseTemplate& object,
+                                            const templates::PoseSample& sample, const Pose2D& pose,
+                                            double scale) const {
+  const Colours colours = colours_at(scene, object, sample, pose, scale);
+  return largest_groups(differing(colours.seen, colours.learned, kColours), colours.compared,
+                        object, sample);
+}
+
+double PrintComparison::difference_in_detail(const scene::SceneLevel& scene,
+                                             const templates::PoseTemplate& object,
+                                             const templates::PoseSample& sample,
+                                             const Pose2D& pose, double scale) const {
+  const Colours colours = colours_at(scene, object, sample, pose, scale);
+  const auto detail = [&](const cv::Mat& values) {
+    return relative_to_surroundings(values, colours.compared);
+  };
+  return largest_groups(differing(detail(colours.seen), detail(colours.learned), kDetail),
+                        colours.compared, object, sample)
+      .largest;
 }
 
 }  // namespace mbncc::evidence

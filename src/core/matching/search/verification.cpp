@@ -264,9 +264,9 @@ bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage&
              evidence::kTorn;
 }
 
-/// Computes what is tested for the best pose of a place only: edges inside the outline, a larger
-/// object, the advantage of the outline at nearby places, because shading displaces a plain surface
-/// by pixels, and whether the pose is torn.
+/// Computes what is tested for the best pose of a place only: details of the print, parts beyond
+/// the outline or absent inside it, the advantage of the outline at nearby places, because shading
+/// displaces a plain surface by pixels, and whether the pose is torn.
 void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
              decision::Detection& detection) {
   const scene::SceneLevel& level = scene.levels[0];
@@ -275,10 +275,12 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   const double scale = detection.scale;
   thread_local templates::PoseSample sample;
   sample.read(view.fine, level, pose, 0, scale);
-  detection.edge_difference =
-      view.interior_edges.difference(level, contour, sample.contour, pose, scale);
-  detection.continued =
-      view.outline_contrast.longest_continued(level, view.fine, sample, pose, scale);
+  detection.detail_difference =
+      view.print.difference_in_detail(level, view.fine, sample, pose, scale);
+  const evidence::MissingContrast missing =
+      view.outline_contrast.missing(level, view.fine, sample, pose, scale);
+  detection.continued = missing.continued;
+  detection.absent = missing.absent;
   detection.contour_alternative = evidence::advantage_elsewhere(contour, level, pose, scale);
   detection.torn = is_torn(contour, scene, detection);
 }
