@@ -28,9 +28,10 @@ class OutlineContrastTest : public ::testing::Test {
     return image;
   }
 
-  std::shared_ptr<ObjectModel> model() const {
+  std::shared_ptr<ObjectModel> model(const cv::Rect& more = {}) const {
     cv::Mat map = cv::Mat::zeros(220, 300, CV_8UC1);
     map(bar_) = 255;
+    map(more) = 255;
     cv::circle(map, hole_, 9, cv::Scalar(0), cv::FILLED);
     auto model = std::make_shared<ObjectModel>();
     model->name = "bar";
@@ -38,8 +39,8 @@ class OutlineContrastTest : public ::testing::Test {
     return model;
   }
 
-  MissingContrast missing_in(const cv::Mat& image) const {
-    const prepared::PreparedObject object(model(), prepared::Engine::kFast);
+  MissingContrast missing_in(const cv::Mat& image, const cv::Rect& more = {}) const {
+    const prepared::PreparedObject object(model(more), prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
     const Pose2D at = compose({145, 105, 0}, inverse(view.reference_in_anchor));
     const scene::SceneLevel level(image, 0);
@@ -125,6 +126,11 @@ TEST_F(OutlineContrastTest, ACoveredPartIsNotAbsent) {
       covered(cv::Rect(150, 60, 70, 90)) = cover;
       EXPECT_EQ(absent_in(covered * light), 0) << cover << ' ' << light;
     }
+}
+
+TEST_F(OutlineContrastTest, TableInTheMapIsNotAbsent) {
+  const cv::Rect table(bar_.br().x, bar_.y, 30, bar_.height);
+  EXPECT_EQ(missing_in(scene_with(bar_), table).absent, 0);
 }
 
 // Without its handle, the object looks the same after half a turn.

@@ -244,7 +244,7 @@ TEST_F(FinePrintTest, OnlyTheTaughtOneIsGraspable) {
 TEST_F(FinePrintTest, GradualLightIsNoDetail) {
   cv::Mat scene = scene_with(with_triangle(red_)), light(scene.size(), CV_32FC3);
   for (int x = 0; x < light.cols; ++x)
-    light.col(x).setTo(cv::Scalar(0.7 + 0.002 * (x - 130), 0.75, 0.8 - 0.002 * (x - 130)));
+    light.col(x).setTo(cv::Scalar(0.7 + 0.005 * (x - 170), 0.75, 0.8 - 0.005 * (x - 170)));
   scene.convertTo(scene, CV_32F);
   scene = scene.mul(light);
   scene.convertTo(scene, CV_8U);
