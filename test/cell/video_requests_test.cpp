@@ -99,6 +99,12 @@ TEST_F(VideoSearchTest, AnObjectTooLargeForTheImageIsLeftOutWithAReason) {
   }
 }
 
+TEST_F(VideoSearchTest, ImagesThatCannotBeSearchedAreRefused) {
+  for (const cv::Size& size : {cv::Size(1, 1), cv::Size(300, 8), cv::Size(8, 300)})
+    EXPECT_THROW(video_.find(matcher_, 0, cv::Mat::zeros(size, CV_8UC1)), std::invalid_argument)
+        << size;
+}
+
 TEST_F(VideoSearchTest, WithoutSweepsTheWholeOfEveryImageIsSearched) {
   video_ = VideoSearch({0, 2.0});
   put(0, kLeft);

@@ -30,7 +30,7 @@ class DecisionTest : public ::testing::Test {
     detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = 20;
     detection.contour_alternative = -0.15;
-    detection.print_difference = detection.detail_difference = 0;
+    detection.print_difference = detection.edge_difference = detection.detail_difference = 0;
     return detection;
   }
 

@@ -84,8 +84,8 @@ class Matcher {
   void set_limits(double min_score, int max_instances);
 
   /// `image` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; otherwise throws
-  /// std::invalid_argument. Requested names that are unknown or disabled and objects that cannot be
-  /// prepared are listed in `skipped`.
+  /// std::invalid_argument. Requested names that are unknown or disabled and the objects of
+  /// unsearchable_in() are listed in `skipped`.
   SearchResult find(const cv::Mat& image, const SearchRequest& request = {}) const;
 
   /// For display: CV_32FC1 of the image's size with, at each place, the largest similarity [0..1]

@@ -21,7 +21,7 @@ class ConclusionTest : public ::testing::Test {
     match_.covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection_.odds.best_at_place = 12;
     detection_.contour_alternative = 0;
-    detection_.print_difference = detection_.detail_difference = 0;
+    detection_.print_difference = detection_.edge_difference = detection_.detail_difference = 0;
   }
 
   void verify() {
@@ -76,6 +76,9 @@ TEST_F(ConclusionTest, AnotherPrintIsNamed) {
   detection_.print_difference = 0.31;
   expect_refused("print inside the outline differs", true);
   detection_.print_difference = 0;
+  detection_.edge_difference = 1.21;
+  expect_refused("print inside the outline differs", true);
+  detection_.edge_difference = 0;
   detection_.detail_difference = 1.51;
   expect_refused("print inside the outline differs", true);
 }
@@ -158,10 +161,11 @@ TEST_F(ConclusionTest, AnUnreachableMarginLeavesNothingGraspable) {
 TEST_F(ConclusionTest, NotANumberPreventsAGrasp) {
   const Match match = match_;
   const Detection detection = detection_;
-  for (double* value : {&match_.score, &match_.visible, &match_.margin_angle,
-                        &match_.odds.best_at_place, &detection_.colour_difference,
-                        &detection_.continued, &detection_.absent, &detection_.contour_alternative,
-                        &detection_.print_difference, &detection_.detail_difference}) {
+  for (double* value :
+       {&match_.score, &match_.visible, &match_.margin_angle, &match_.odds.best_at_place,
+        &detection_.colour_difference, &detection_.continued, &detection_.absent,
+        &detection_.contour_alternative, &detection_.print_difference, &detection_.edge_difference,
+        &detection_.detail_difference}) {
     match_.competitors = {{"far", {1, 2}, 0}};
     *value = std::nan("");
     verify();

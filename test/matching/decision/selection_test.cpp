@@ -25,7 +25,7 @@ class SelectionTest : public ::testing::Test {
     detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
     detection.odds.best_at_place = log_odds;
     detection.contour_alternative = elsewhere;
-    detection.print_difference = detection.detail_difference = 0;
+    detection.print_difference = detection.edge_difference = detection.detail_difference = 0;
     return detection;
   }
 

@@ -75,6 +75,31 @@ TEST_F(OutlineContrastTest, APartOfSomethingLargerGoesOn) {
   EXPECT_FALSE(is_graspable_in(longer));
 }
 
+// Half a turn of a bar with a faint mark competes, but only the best pose is examined.
+TEST_F(OutlineContrastTest, TheExaminedPoseOfAPlaceIsReported) {
+  const auto scene_of = [&](int width) {
+    cv::Mat image(220, 300, CV_8UC3, kTable);
+    image(cv::Rect(bar_.x, bar_.y, width, bar_.height)) = kPart;
+    cv::circle(image, {165, 105}, 4, kPart + cv::Scalar(20, 20, 20), cv::FILLED, cv::LINE_AA);
+    cv::GaussianBlur(image, image, {}, 0.8);
+    return image;
+  };
+  cv::Mat map = cv::Mat::zeros(220, 300, CV_8UC1);
+  map(bar_) = 255;
+  auto bar = std::make_shared<ObjectModel>();
+  bar->name = "bar";
+  bar->views.push_back(crop_view(scene_of(bar_.width), map, {145, 105, 0}));
+  SearchConfig config;
+  config.min_score = 1e-6;
+  Matcher matcher(config);
+  matcher.set_objects({bar});
+  const auto matches = matcher.find(scene_of(bar_.width + 20)).matches;
+  ASSERT_FALSE(matches.empty());
+  const auto& reasons = matches.front().reasons;
+  EXPECT_EQ(std::count(reasons.begin(), reasons.end(), "too unlikely to be examined"), 0);
+  EXPECT_EQ(std::count(reasons.begin(), reasons.end(), "part of something larger"), 1);
+}
+
 TEST_F(OutlineContrastTest, ItGoesOnWhereverTheOutlineStarts) {
   for (const cv::Rect& handle :
        {cv::Rect(bar_.x + 30, 20, 30, 80), cv::Rect(bar_.x + 30, 110, 30, 80),

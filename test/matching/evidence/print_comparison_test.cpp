@@ -251,19 +251,58 @@ TEST_F(FinePrintTest, GradualLightIsNoDetail) {
   EXPECT_LT(difference_in_detail(scene), 0.4);
 }
 
-// The brightness differs by less than shading may cause; only the details tell.
-TEST_F(PrintTest, ATileWithAnotherFaintDotIsNotGraspable) {
-  const cv::Scalar body = cv::Scalar::all(200), faint = cv::Scalar::all(110);
-  Dots four = kTaught;
-  four.emplace_back(58, 60);
-  Matcher matcher;
-  matcher.set_objects({test::object_from(tile(kTaught, body, faint), {60, 60, 0})});
-  const auto own = matcher.find(scene_with(tile(kTaught, body, faint))).matches;
-  ASSERT_EQ(own.size(), 1u);
-  EXPECT_TRUE(own[0].graspable);
-  const auto other = matcher.find(scene_with(tile(four, body, faint))).matches;
-  ASSERT_EQ(other.size(), 1u);
-  EXPECT_EQ(other[0].reasons, std::vector<std::string>{"print inside the outline differs"});
+/// A grey tile with a mark and filled discs of this radius.
+test::LearningImage with_discs(const Dots& dots, int radius, double grey) {
+  test::LearningImage image = tile({}, cv::Scalar::all(200));
+  cv::circle(image.surface, {84, 44}, 3, {40, 40, 190}, cv::FILLED, cv::LINE_AA);
+  for (const auto& dot : dots)
+    cv::circle(image.surface, dot, radius, cv::Scalar::all(grey), cv::FILLED, cv::LINE_AA);
+  cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
+  image.surface.copyTo(image.image, image.map);
+  return image;
+}
+
+// The brightness differs by less than shading may cause; only the edges tell.
+TEST_F(PrintTest, ATileWithOtherFaintDiscsIsNotGraspable) {
+  struct Prints {
+    Dots taught, other;
+    int radius;
+  };
+  const Prints kPrints[] = {{{{44, 52}}, {{44, 52}, {62, 62}}, 6},
+                            {{{44, 52}, {62, 62}}, {{44, 52}}, 6},
+                            {{{52, 60}}, {}, 12},
+                            {{}, {{52, 60}}, 12}};
+  for (const Prints& prints : kPrints)
+    for (const double grey : {110., 130., 150.}) {
+      Matcher matcher;
+      matcher.set_objects(
+          {test::object_from(with_discs(prints.taught, prints.radius, grey), {60, 60, 0})});
+      const auto is_graspable = [&](const Dots& dots) {
+        const auto seen = scene_with(with_discs(dots, prints.radius, grey));
+        const auto matches = matcher.find(seen).matches;
+        return !matches.empty() && matches.front().graspable;
+      };
+      EXPECT_TRUE(is_graspable(prints.taught)) << prints.radius << ' ' << grey;
+      EXPECT_FALSE(is_graspable(prints.other)) << prints.radius << ' ' << grey;
+    }
+}
+
+TEST_F(PrintTest, EdgesAreComparedAtTheRotationOfThePose) {
+  const auto striped = [] {
+    test::LearningImage image = tile({});
+    cv::line(image.surface, {40, 50}, {80, 68}, {110, 110, 110}, 5);
+    cv::GaussianBlur(image.surface, image.surface, {}, 0.7);
+    image.surface.copyTo(image.image, image.map);
+    return image;
+  }();
+  const prepared::PreparedObject object(test::object_from(striped, {60, 60, 0}),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::SceneLevel level(scene_with(striped), 0);
+  const Pose2D pose = compose(truth_, inverse(view.reference_in_anchor));
+  templates::PoseSample sample;
+  sample.read(view.fine, level, pose, 0);
+  EXPECT_LT(view.interior_edges.difference(level, view.fine.contour, sample.contour, pose, 1), 0.3);
 }
 
 class PrintOfATool : public test::ToolTest {

@@ -39,8 +39,8 @@ double SearchedObject::reach() const {
 std::vector<std::string> ObjectSchedule::update(
     std::vector<std::shared_ptr<const ObjectModel>> models,
     std::map<std::string, std::string> unsearchable) {
+  if (models == models_ && unsearchable == unsearchable_) return {};
   unsearchable_ = std::move(unsearchable);
-  if (models == models_) return {};
   models_ = std::move(models);
   std::map<std::string, SearchedObject> before = std::exchange(objects_, {});
   for (const auto& model : models_) {

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "cell/incremental_search/frame_search.hpp"
+#include "matching/scene/grey_image.hpp"
 
 namespace mbncc {
 namespace {
@@ -45,6 +46,7 @@ void VideoSearch::reset() {
 
 SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::Mat& image,
                                const SearchRequest& request) {
+  scene::check_searchable(image);
   if (config_.sweep_time <= 0) return matcher.find(image, request);
   const auto start = Clock::now();
   const bool restarted = !state_ || !state_->serves(request, matcher.config(), image.size());

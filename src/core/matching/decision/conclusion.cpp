@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kForeignColour = 0.2;  // largest chroma difference of a part
 constexpr double kOtherPrint = 0.3;     // largest PrintDifference
+constexpr double kOtherEdges = 1.2;     // largest InteriorEdges::difference()
 constexpr double kOtherDetail = 1.5;    // largest PrintComparison::difference_in_detail()
 constexpr double kMissing = 0.2;        // largest MissingContrast
 constexpr double kContradicts = 0.05;   // [agreement] largest advantage of a nearby place
@@ -76,7 +77,8 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
   } else {
     if (!(detection.contour_alternative <= kContradicts))
       doubts.push_back({false, "outline fits better beside it"});
-    if (!(detection.print_difference <= kOtherPrint && detection.detail_difference <= kOtherDetail))
+    if (!(detection.print_difference <= kOtherPrint && detection.edge_difference <= kOtherEdges &&
+          detection.detail_difference <= kOtherDetail))
       doubts.push_back({true, "print inside the outline differs"});
   }
   if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});

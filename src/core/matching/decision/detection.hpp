@@ -36,6 +36,7 @@ struct Detection {
   double colour_difference = 0;     ///< see ColourParts::worst_difference()
   /// See PrintDifference::largest; compared when the pose is refined.
   double print_difference = std::numeric_limits<double>::infinity();
+  double edge_difference = std::numeric_limits<double>::infinity();  ///< see InteriorEdges
   /// See PrintComparison::difference_in_detail().
   double detail_difference = std::numeric_limits<double>::infinity();
   double continued = 0;                       ///< see MissingContrast

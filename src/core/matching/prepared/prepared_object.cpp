@@ -215,6 +215,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
     ratios = evidence::RatioResidual(fine.surface, shape.area());
     outline_contrast =
         evidence::OutlineContrast(fine.contour, image, {anchor.x, anchor.y, 0}, shape.area());
+    interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
     print = evidence::PrintComparison(image, source.view.map, anchor);
     mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());

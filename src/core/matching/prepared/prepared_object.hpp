@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "matching/evidence/colour_parts.hpp"
+#include "matching/evidence/interior_edges.hpp"
 #include "matching/evidence/mirrored_contour.hpp"
 #include "matching/evidence/outline_contrast.hpp"
 #include "matching/evidence/print_comparison.hpp"
@@ -65,6 +66,7 @@ class PreparedView : public mbncc::templates::ViewFrame {
   evidence::MirroredContour mirrored_contour;  ///< of the contour of `fine`
   evidence::ColourParts parts;                 ///< of `fine`
   evidence::OutlineContrast outline_contrast;  ///< of the contour of `fine`
+  evidence::InteriorEdges interior_edges;      ///< at full resolution
   evidence::PrintComparison print;             ///< at full resolution
   refinement::RefinementTemplate dense;        ///< at full resolution, for sub-pixel refinement
   MaskedTemplate points;                       ///< all map pixels at full resolution

@@ -189,10 +189,10 @@ void refine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.size_alternative = sized.implausible_size;
 }
 
-/// Whether none of the detections before `one` is at its place.
+/// The first of the detections up to `one` that is at its place.
 template <class Iterator>
-bool is_best_of_place(Iterator first, Iterator one) {
-  return std::none_of(first, one, [&](const decision::Detection& better) {
+Iterator best_of_place(Iterator first, Iterator one) {
+  return std::find_if(first, one, [&](const decision::Detection& better) {
     return decision::at_one_place(*one, better);
   });
 }
@@ -233,7 +233,7 @@ class Refinements {
   /// Other rotations keep their poses unless they were aligned or the best for a time: refined,
   /// they may move to the best pose, which would then have no competitor.
   int steps_for(Ranked first, Ranked one) const {
-    const bool moves = found_[one->number].aligned || is_best_of_place(first, one);
+    const bool moves = found_[one->number].aligned || best_of_place(first, one) == one;
     return moves ? kRefinementSteps : 0;
   }
 
@@ -275,6 +275,8 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   const double scale = detection.scale;
   thread_local templates::PoseSample sample;
   sample.read(view.fine, level, pose, 0, scale);
+  detection.edge_difference =
+      view.interior_edges.difference(level, contour, sample.contour, pose, scale);
   detection.detail_difference =
       view.print.difference_in_detail(level, view.fine, sample, pose, scale);
   const evidence::MissingContrast missing =
@@ -289,7 +291,11 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
     if (one->log_odds() <= kReportable) break;
-    if (is_best_of_place(compared.begin(), one)) examine(view, scene, *one);
+    const auto best = best_of_place(compared.begin(), one);
+    if (best == one)
+      examine(view, scene, *one);
+    else  // the score must not prefer what was not examined
+      one->continued = best->continued;
   }
 }
 
