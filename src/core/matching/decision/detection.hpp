@@ -39,9 +39,9 @@ struct Detection {
   double edge_difference = std::numeric_limits<double>::infinity();  ///< see InteriorEdges
   /// See PrintComparison::difference_in_detail().
   double detail_difference = std::numeric_limits<double>::infinity();
-  double continued = 0;                       ///< see MissingContrast
-  double absent = 0;                          ///< see MissingContrast
-  bool torn = false;                          ///< rows or parts of its outline are displaced
+  double continued = 0;  ///< see MissingContrast; of the best pose at its place
+  double absent = 0;     ///< the same; only the best pose at a place is examined
+  bool torn = false;     ///< the same: rows or parts of its outline are displaced
   double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
   double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()
   std::size_t number = 0;    ///< index among the poses verified together

@@ -6,7 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/gradient_orientation.hpp"
-#include "matching/evidence/lesson_pixels.hpp"
+#include "matching/evidence/differing_groups.hpp"
 #include "matching/template/surface_template.hpp"
 
 namespace mbncc::evidence {
@@ -86,90 +86,54 @@ cv::Mat only_in(const cv::Mat& edges, double angle, const cv::Mat& others, const
   return pixels;
 }
 
-struct Group {
-  int size = 0;          ///< [px]
-  bool reaches = false;  ///< touches the border of the compared area
-  cv::Point2d centre;
-};
-
-/// Connected groups of `pixels`, which lie within `where`.
-std::vector<Group> groups_of(const cv::Mat& pixels, const cv::Mat& where) {
-  cv::Mat labels, stats, centres, rim;
-  std::vector<Group> groups(cv::connectedComponentsWithStats(pixels, labels, stats, centres));
-  for (std::size_t i = 1; i < groups.size(); ++i) {
-    const int row = static_cast<int>(i);
-    groups[i].size = stats.at<int>(row, cv::CC_STAT_AREA);
-    groups[i].centre = {centres.at<double>(row, 0), centres.at<double>(row, 1)};
-  }
-  cv::dilate(~where, rim, cv::Mat::ones(2 * kSlack + 1, 2 * kSlack + 1, CV_8U));
-  for (int y = 0; y < rim.rows; ++y)
-    for (int x = 0; x < rim.cols; ++x)
-      if (rim.at<uchar>(y, x)) groups[labels.at<int>(y, x)].reaches = true;
-  return groups;
-}
-
 }  // namespace
 
 InteriorEdges::InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map,
-                             cv::Point2d anchor) {
-  const cv::Rect box = cv::boundingRect(map);
-  colour_ = lesson.whole().colour(box).clone();
-  edges_ = lesson.whole().edges(box).clone();
-  anchor_ = anchor - cv::Point2d(box.tl());
-  cv::erode(map(box).clone(), inside_, cv::Mat::ones(2 * kRim + 1, 2 * kRim + 1, CV_8U), {-1, -1},
-            1, cv::BORDER_CONSTANT, cv::Scalar(0));
-  for (int y = 0; y < inside_.rows; ++y)
-    for (int x = 0; x < inside_.cols; ++x)
-      if (inside_.at<uchar>(y, x))
-        reach_ = std::max(reach_, std::hypot(x - anchor_.x, y - anchor_.y));
-}
+                             cv::Point2d anchor)
+    : lesson_(lesson, map, anchor, kRim), edges_(lesson.whole().edges(lesson_.box).clone()) {}
 
 double InteriorEdges::difference(const scene::SceneLevel& scene,
                                  const templates::ContourTemplate& contour,
                                  const templates::ContourSample& outline, const Pose2D& pose,
                                  double scale) const {
   constexpr double kLeastFound = 0.5;  // least part of the outline found beside a group
-  const int area = cv::countNonZero(inside_);
-  if (area == 0) return 0;
-  const scene::PreparedPixels image = scene.around(pose, scale * reach_ + 2 * kSlack);
-  const LessonPixels pixels(inside_.size(), anchor_, image.size(), pose, scale);
+  if (lesson_.area == 0) return 0;
+  const scene::PreparedPixels image = scene.around(pose, scale * lesson_.reach + 2 * kSlack);
+  const LessonPixels pixels(lesson_, image.size(), pose, scale);
   const Seen seen{pixels.read(image.colour, cv::INTER_NEAREST),
                   pixels.read(image.edges, cv::INTER_NEAREST), pixels.inside()};
   const cv::Mat where = without_highlights(seen) & seen.inside;
   const cv::Mat differing = only_in(edges_, pose.theta, seen.edges, where) |
                             only_in(seen.edges, -pose.theta, edges_, where);
-  int largest = 0;
-  for (const Group& group : groups_of(differing, where)) {
-    if (group.reaches || group.size <= largest) continue;
-    if (templates::contour_found_beside(contour, outline, group.centre - anchor_) > kLeastFound)
-      largest = group.size;
-  }
-  return largest / std::sqrt(area);
+  const auto found = [&](const cv::Point2d& at) {
+    return templates::contour_found_beside(contour, outline, at - lesson_.anchor) > kLeastFound;
+  };
+  return largest_groups(differing, where, kSlack, found).enclosed / std::sqrt(lesson_.area);
 }
 
 /// CV_8UC1: 255 inside the outline, except near pixels that are saturated in the image although the
 /// object would not saturate in this light.
 cv::Mat InteriorEdges::without_highlights(const Seen& seen) const {
   const cv::Scalar least = cv::Scalar::all(templates::kSaturated), most = cv::Scalar::all(255);
-  const cv::Mat shown = inside_ & seen.inside;
+  const cv::Mat shown = lesson_.inside & seen.inside;
   cv::Mat saturated;
   cv::inRange(seen.colour, least, most, saturated);
   saturated &= shown;
   const int all = cv::countNonZero(saturated);
   const cv::Mat open = shown & ~saturated;
   const int shown_well = cv::countNonZero(open);
-  if (all == 0 || shown_well <= all) return inside_;
+  if (all == 0 || shown_well <= all) return lesson_.inside;
   const auto sum = [&](const cv::Mat& colour) {
     const cv::Scalar mean = cv::mean(colour, open);
     return shown_well * (mean[0] + mean[1] + mean[2]);
   };
-  const double gain = sum(seen.colour) / std::max(1.0, sum(colour_));
-  for (int y = 0; y < inside_.rows; ++y)
-    for (int x = 0; x < inside_.cols; ++x)
-      if (gain * brightness(colour_.at<cv::Vec3b>(y, x)) >= templates::kMaySaturate)
+  const double gain = sum(seen.colour) / std::max(1.0, sum(lesson_.colour));
+  for (int y = 0; y < lesson_.inside.rows; ++y)
+    for (int x = 0; x < lesson_.inside.cols; ++x)
+      if (gain * brightness(lesson_.colour.at<cv::Vec3b>(y, x)) >= templates::kMaySaturate)
         saturated.at<uchar>(y, x) = 0;
   cv::dilate(saturated, saturated, cv::Mat::ones(kBeside, kBeside, CV_8U));
-  return inside_ & ~saturated;
+  return lesson_.inside & ~saturated;
 }
 
 }  // namespace mbncc::evidence

@@ -5,6 +5,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "matching/evidence/lesson_pixels.hpp"
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 #include "mbncc/geometry.hpp"
@@ -15,8 +16,7 @@ class InteriorEdges {
  public:
   InteriorEdges() = default;
 
-  /// `lesson` shows the view's crop and is at least as large as `map` (CV_8UC1). `anchor` [px] is a
-  /// position in it.
+  /// Of LessonCrop.
   InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
   /// Largest connected group of clear edges of the lesson or the image that the other lacks, with
@@ -39,11 +39,8 @@ class InteriorEdges {
 
   cv::Mat without_highlights(const Seen& seen) const;
 
-  cv::Mat colour_;  ///< CV_8UC3
-  cv::Mat edges_;   ///< CV_8SC2, see gradient_orientation.hpp
-  cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline except for a rim
-  cv::Point2d anchor_;
-  double reach_ = 0;  ///< [px] largest distance of an inside pixel from the anchor
+  LessonCrop lesson_;
+  cv::Mat edges_;  ///< CV_8SC2, see gradient_orientation.hpp
 };
 
 }  // namespace mbncc::evidence

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/evidence/lesson_pixels.hpp"
 
+#include <algorithm>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -8,17 +9,38 @@
 
 namespace mbncc::evidence {
 
-LessonPixels::LessonPixels(cv::Size lesson, cv::Point2d anchor, cv::Size image, const Pose2D& pose,
+namespace {
+
+std::vector<cv::Point2d> corners_of(cv::Size size) {
+  return {{0., 0.},
+          {0., static_cast<double>(size.height)},
+          {static_cast<double>(size.width), 0.},
+          {static_cast<double>(size.width), static_cast<double>(size.height)}};
+}
+
+}  // namespace
+
+LessonCrop::LessonCrop(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d at, int rim)
+    : box(cv::boundingRect(map)),
+      colour(lesson.whole().colour(box).clone()),
+      anchor(at - cv::Point2d(box.tl())) {
+  for (const auto& corner : corners_of(box.size()))
+    reach = std::max(reach, cv::norm(corner - anchor));
+  cv::erode(map(box).clone(), inside, cv::Mat::ones(2 * rim + 1, 2 * rim + 1, CV_8U), {-1, -1}, 1,
+            cv::BORDER_CONSTANT, cv::Scalar(0));
+  area = cv::countNonZero(inside);
+}
+
+LessonPixels::LessonPixels(const LessonCrop& lesson, cv::Size image, const Pose2D& pose,
                            double scale)
-    : lesson_(lesson) {
+    : lesson_(lesson.colour.size()) {
   constexpr int kSlack = 2;  // [px] for the interpolation
   const Transform placed(pose);
   std::vector<cv::Point2f> corners;
-  for (const int x : {0, lesson.width})
-    for (const int y : {0, lesson.height})
-      corners.emplace_back(placed(scale * (cv::Point2d(x, y) - anchor)));
+  for (const auto& corner : corners_of(lesson_))
+    corners.emplace_back(placed(scale * (corner - lesson.anchor)));
   box_ = imaging::grown(cv::boundingRect(corners), kSlack) & cv::Rect({0, 0}, image);
-  const cv::Point2d first = placed(-scale * anchor) - cv::Point2d(box_.tl());
+  const cv::Point2d first = placed(-scale * lesson.anchor) - cv::Point2d(box_.tl());
   const cv::Point2d right = rotate({scale, 0}, pose.theta), down = rotate({0, scale}, pose.theta);
   into_box_ = {right.x, down.x, first.x, right.y, down.y, first.y};
 }

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "imaging/rectangles.hpp"
+#include "matching/evidence/differing_groups.hpp"
 #include "matching/evidence/gain_offset.hpp"
-#include "matching/evidence/lesson_pixels.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -93,28 +93,6 @@ cv::Mat lit(const cv::Mat& colour, const GainOffset& light) {
   return result;
 }
 
-struct Group {
-  cv::Rect box;
-  cv::Point2d centre;
-  int size = 0;  ///< [px]
-  cv::Mat mask;  ///< CV_8UC1 in the box: 255 at its pixels
-};
-
-/// Connected groups of `pixels`.
-std::vector<Group> groups_of(const cv::Mat& pixels) {
-  cv::Mat labels, stats, centres;
-  const int count = cv::connectedComponentsWithStats(pixels, labels, stats, centres);
-  std::vector<Group> groups;
-  for (int i = 1; i < count; ++i) {
-    const cv::Rect box = imaging::box_of_component(stats, i);
-    groups.push_back({box,
-                      {centres.at<double>(i, 0), centres.at<double>(i, 1)},
-                      stats.at<int>(i, cv::CC_STAT_AREA),
-                      labels(box) == i});
-  }
-  return groups;
-}
-
 /// CV_8UC1: 255 at and beside highlights: pixels that are saturated although the object would not
 /// saturate in this light, unless they lie on a part that does, where a print is missing.
 cv::Mat highlights(const cv::Mat& seen, const cv::Mat& expected) {
@@ -124,7 +102,7 @@ cv::Mat highlights(const cv::Mat& seen, const cv::Mat& expected) {
   cv::transform(expected, brightness, cv::Matx13f(1.F / 3, 1.F / 3, 1.F / 3));
   const cv::Mat unexpected = saturated & (brightness < templates::kMaySaturate / 3);
   if (cv::countNonZero(unexpected) == 0) return result;
-  for (const Group& group : groups_of(unexpected)) {
+  for (const Group& group : connected_groups(unexpected)) {
     const cv::Rect around =
         imaging::grown(group.box, kBeside) & cv::Rect({0, 0}, unexpected.size());
     cv::Mat ring = cv::Mat::zeros(around.size(), CV_8UC1);
@@ -141,48 +119,35 @@ cv::Mat highlights(const cv::Mat& seen, const cv::Mat& expected) {
 }  // namespace
 
 PrintComparison::PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map,
-                                 cv::Point2d anchor) {
-  const cv::Rect box = cv::boundingRect(map);
-  colour_ = lesson.whole().colour(box).clone();
-  anchor_ = anchor - cv::Point2d(box.tl());
-  for (const int x : {0, box.width})
-    for (const int y : {0, box.height})
-      reach_ = std::max(reach_, cv::norm(cv::Point2d(x, y) - anchor_));
-  cv::erode(map(box).clone(), inside_, square(kSlack), {-1, -1}, 1, cv::BORDER_CONSTANT,
-            cv::Scalar(0));
-}
+                                 cv::Point2d anchor)
+    : lesson_(lesson, map, anchor, kSlack) {}
 
 PrintComparison::Colours PrintComparison::colours_at(const scene::SceneLevel& scene,
                                                      const templates::PoseTemplate& object,
                                                      const templates::PoseSample& sample,
                                                      const Pose2D& pose, double scale) const {
   constexpr double kDark = 30;  // [grey levels] in the lesson
-  const cv::Mat& image = scene.around(pose, scale * reach_ + 2 * kSlack).colour;
-  const LessonPixels pixels(inside_.size(), anchor_, image.size(), pose, scale);
+  const cv::Mat& image = scene.around(pose, scale * lesson_.reach + 2 * kSlack).colour;
+  const LessonPixels pixels(lesson_, image.size(), pose, scale);
   const cv::Mat seen = pixels.read(image, cv::INTER_LINEAR);
   const GainOffset light = light_on(object.surface, sample.surface);
-  const cv::Mat expected = lit(colour_, light);
+  const cv::Mat expected = lit(lesson_.colour, light);
   return {logarithms(seen, kDark * light.factor), logarithms(expected, kDark * light.factor),
-          pixels.inside() & inside_ & ~highlights(seen, expected)};
+          pixels.inside() & lesson_.inside & ~highlights(seen, expected)};
 }
 
-PrintDifference PrintComparison::largest_groups(const cv::Mat& differing, const cv::Mat& compared,
-                                                const templates::PoseTemplate& object,
-                                                const templates::PoseSample& sample) const {
+PrintDifference PrintComparison::largest_difference(const cv::Mat& differing,
+                                                    const cv::Mat& compared,
+                                                    const templates::PoseTemplate& object,
+                                                    const templates::PoseSample& sample) const {
   constexpr double kLeastFound = 0.7;  // least part of the outline found beside a group
-  cv::Mat rim;
-  cv::dilate(~compared, rim, square(1));
-  int largest = 0, enclosed = 0;
-  for (const Group& group : groups_of(differing & compared)) {
-    if (group.size <= enclosed ||
-        templates::contour_found_beside(object.contour, sample.contour, group.centre - anchor_) <=
-            kLeastFound)
-      continue;
-    largest = std::max(largest, group.size);
-    if (cv::countNonZero(group.mask & rim(group.box)) == 0) enclosed = group.size;
-  }
-  const double side = std::sqrt(std::max(1, cv::countNonZero(inside_)));
-  return {largest / side, enclosed / side};
+  const auto found = [&](const cv::Point2d& at) {
+    return templates::contour_found_beside(object.contour, sample.contour, at - lesson_.anchor) >
+           kLeastFound;
+  };
+  const LargestGroups groups = largest_groups(differing, compared, 1, found);
+  const double side = std::sqrt(std::max(1, lesson_.area));
+  return {groups.largest / side, groups.enclosed / side};
 }
 
 PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
@@ -190,8 +155,8 @@ PrintDifference PrintComparison::difference(const scene::SceneLevel& scene,
                                             const templates::PoseSample& sample, const Pose2D& pose,
                                             double scale) const {
   const Colours colours = colours_at(scene, object, sample, pose, scale);
-  return largest_groups(differing(colours.seen, colours.learned, kColours), colours.compared,
-                        object, sample);
+  return largest_difference(differing(colours.seen, colours.learned, kColours), colours.compared,
+                            object, sample);
 }
 
 double PrintComparison::difference_in_detail(const scene::SceneLevel& scene,
@@ -202,8 +167,8 @@ double PrintComparison::difference_in_detail(const scene::SceneLevel& scene,
   const auto detail = [&](const cv::Mat& values) {
     return relative_to_surroundings(values, colours.compared);
   };
-  return largest_groups(differing(detail(colours.seen), detail(colours.learned), kDetail),
-                        colours.compared, object, sample)
+  return largest_difference(differing(detail(colours.seen), detail(colours.learned), kDetail),
+                            colours.compared, object, sample)
       .largest;
 }
 

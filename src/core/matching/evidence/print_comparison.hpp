@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 
+#include "matching/evidence/lesson_pixels.hpp"
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/pose_sample.hpp"
 #include "mbncc/geometry.hpp"
@@ -24,8 +25,7 @@ class PrintComparison {
  public:
   PrintComparison() = default;
 
-  /// `lesson` shows the view's crop and is at least as large as `map` (CV_8UC1). `anchor` [px] is a
-  /// position in it.
+  /// Of LessonCrop.
   PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
   /// Compares the object with its anchor at `pose`, `scale` times as large as in the lesson.
@@ -49,14 +49,11 @@ class PrintComparison {
 
   Colours colours_at(const scene::SceneLevel& scene, const templates::PoseTemplate& object,
                      const templates::PoseSample& sample, const Pose2D& pose, double scale) const;
-  PrintDifference largest_groups(const cv::Mat& differing, const cv::Mat& compared,
-                                 const templates::PoseTemplate& object,
-                                 const templates::PoseSample& sample) const;
+  PrintDifference largest_difference(const cv::Mat& differing, const cv::Mat& compared,
+                                     const templates::PoseTemplate& object,
+                                     const templates::PoseSample& sample) const;
 
-  cv::Mat colour_;  ///< CV_8UC3
-  cv::Mat inside_;  ///< CV_8UC1, 255 inside the outline except for a rim
-  cv::Point2d anchor_;
-  double reach_ = 0;  ///< [px] largest distance of the lesson's corners from the anchor
+  LessonCrop lesson_;
 };
 
 }  // namespace mbncc::evidence

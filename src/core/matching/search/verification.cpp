@@ -6,8 +6,8 @@
 
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/evidence/torn_contour.hpp"
-#include "matching/evidence/torn_rows.hpp"
 #include "matching/refinement/gauss_newton.hpp"
+#include "matching/scene/torn_rows.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -259,7 +259,7 @@ std::vector<std::vector<decision::Detection>> by_place(
 bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
              const decision::Detection& detection) {
   const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.scale);
-  return evidence::has_torn_rows(scene.grey[0], box) ||
+  return scene::has_torn_rows(scene.grey[0], box) ||
          evidence::advantage_torn(contour, scene.levels[0], detection.pose, detection.scale) >
              evidence::kTorn;
 }
@@ -287,6 +287,8 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.torn = is_torn(contour, scene, detection);
 }
 
+/// Examines the best pose of each place. The others share what goes on beyond its outline, so that
+/// the score does not prefer a pose for not having been examined.
 void examine_best_of_places(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             std::vector<decision::Detection>& compared) {
   for (auto one = compared.begin(); one != compared.end(); ++one) {
@@ -294,7 +296,7 @@ void examine_best_of_places(const prepared::PreparedView& view, const scene::Sce
     const auto best = best_of_place(compared.begin(), one);
     if (best == one)
       examine(view, scene, *one);
-    else  // the score must not prefer what was not examined
+    else
       one->continued = best->continued;
   }
 }

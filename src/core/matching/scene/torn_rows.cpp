@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/evidence/torn_rows.hpp"
+#include "matching/scene/torn_rows.hpp"
 
 #include <algorithm>
 #include <limits>
 #include <vector>
 
-namespace mbncc::evidence {
+namespace mbncc::scene {
 namespace {
 
 constexpr int kSmallest = 3;          // [px] least displacement; texture explains smaller ones
@@ -57,4 +57,4 @@ bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
   return displaced == 1;  // several rows: the platform is chequered or made of bricks
 }
 
-}  // namespace mbncc::evidence
+}  // namespace mbncc::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/evidence/torn_rows.hpp"
+#include "matching/scene/torn_rows.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "matching/images.hpp"
 
-namespace mbncc::evidence {
+namespace mbncc::scene {
 namespace {
 
 using test::torn;
@@ -93,4 +93,4 @@ TEST(TornRows, AreDetectedForAnObjectAtTheImageBorder) {
 }
 
 }  // namespace
-}  // namespace mbncc::evidence
+}  // namespace mbncc::scene
