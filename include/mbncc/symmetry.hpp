@@ -9,11 +9,10 @@
 
 namespace mbncc {
 
-/// Number of equal angles in a turn that may be declared: 1 (none), 2, 3, 4, 6, or 0 (round).
+/// Number of equal angles in a turn that may be declared: 1 (none), 2 to 12, or 0 (round).
 bool is_declarable_symmetry(int symmetry);
 
-/// "none", "2", "3", "4", "6" or "round"; "auto" if nothing is declared and the symmetry is
-/// measured.
+/// "none", "2" to "12" or "round"; "auto" if nothing is declared and the symmetry is measured.
 std::string symmetry_text(std::optional<int> symmetry);
 
 /// Inverse of symmetry_text(). Throws std::invalid_argument that lists the allowed words.

@@ -39,7 +39,7 @@ std::vector<Option> lesson_options() {
           {"--stroke-width", "PIXELS", "of the strokes; 0: closed areas; default: 5"},
           {"--label", "TEXT", "shown to the operator; default: the name"},
           {"--height", "METRES", "of the object's top face above the platform; default: 0"},
-          {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn; default: auto"},
+          {"--symmetry", "auto|none|2..12|round", "equal angles in a turn; default: auto"},
           {"--overwrite", "", "replace the object of this name, if there is one"},
           {"--add-view", "", "add an image to the object of this name"},
           {"--allow-bad", "", "store it even if the verdict is BAD"},

@@ -61,7 +61,7 @@ QScrollArea* make_scroll_area(QWidget* content) {
 QComboBox* make_symmetry_box(const QString& tip) {
   auto* box = new QComboBox;
   for (const auto& choice : symmetry_choices())
-    box->addItem(QString::fromUtf8(choice.text), choice.value);
+    box->addItem(QString::fromStdString(choice.text), choice.value);
   box->setToolTip(tip);
   return box;
 }

@@ -114,15 +114,17 @@ std::string word_of_state(std::uint8_t state) {
   }
 }
 
-const std::vector<SymmetryChoice>& symmetry_choices() {
+std::vector<SymmetryChoice> symmetry_choices() {
   using Goal = mbncc_vision::LearnObjectGoal;
-  static const std::vector<SymmetryChoice> choices{{Goal::SYMMETRY_AUTO, "measured symmetry"},
-                                                   {Goal::SYMMETRY_NONE, "no symmetry"},
-                                                   {Goal::SYMMETRY_2, "same after 180\u00b0"},
-                                                   {Goal::SYMMETRY_3, "same after 120\u00b0"},
-                                                   {Goal::SYMMETRY_4, "same after 90\u00b0"},
-                                                   {Goal::SYMMETRY_6, "same after 60\u00b0"},
-                                                   {Goal::SYMMETRY_ROUND, "round"}};
+  constexpr std::uint8_t kMostEqualAngles = 12;
+  std::vector<SymmetryChoice> choices{{Goal::SYMMETRY_AUTO, "measured symmetry"},
+                                      {Goal::SYMMETRY_NONE, "no symmetry"}};
+  for (std::uint8_t angles = 2; angles <= kMostEqualAngles; ++angles) {
+    char text[32];
+    std::snprintf(text, sizeof text, "same after %.4g\u00b0", 360.0 / angles);
+    choices.push_back({angles, text});
+  }
+  choices.push_back({Goal::SYMMETRY_ROUND, "round"});
   return choices;
 }
 

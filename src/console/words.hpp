@@ -37,9 +37,9 @@ std::string word_of_state(std::uint8_t state);
 /// Symmetries to declare: values of LearnObjectGoal::symmetry with texts, auto first.
 struct SymmetryChoice {
   std::uint8_t value;
-  const char* text;
+  std::string text;
 };
-const std::vector<SymmetryChoice>& symmetry_choices();
+std::vector<SymmetryChoice> symmetry_choices();
 
 /// "1:05 left", "" below 0.
 std::string time_left(double seconds);

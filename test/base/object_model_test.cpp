@@ -148,7 +148,7 @@ TEST(Validate, NamesEachBrokenRule) {
       [](ObjectModel& model) { model.min_score = 0; },
       [](ObjectModel& model) { model.min_score = 1.5; },
       [](ObjectModel& model) { model.symmetry = -1; },
-      [](ObjectModel& model) { model.symmetry = 5; },
+      [](ObjectModel& model) { model.symmetry = 13; },
       [](ObjectModel& model) { model.symmetry = 255; },
       [](ObjectModel& model) {
         model.grasp = Grasp{{0, 0, 0}, {0, 0, 0, 0}};

@@ -33,7 +33,7 @@ TEST(Words, EveryStatusColourHasReadableContrast) {
 TEST(Words, EveryDeclarableSymmetryHasAChoice) {
   std::vector<int> values;
   for (const auto& choice : symmetry_choices()) values.push_back(choice.value);
-  EXPECT_EQ(values, (std::vector<int>{0, 1, 2, 3, 4, 6, 255}));
+  EXPECT_EQ(values, (std::vector<int>{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 255}));
 }
 
 }  // namespace

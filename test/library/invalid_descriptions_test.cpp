@@ -148,7 +148,7 @@ TEST(InvalidDescriptions, TextsMustBeTexts) {
     expect_refused({"enabled"}, lie);
   for (const char* lie : {"EXCELLENT", "good", "''", "[GOOD]", "{}", "~", "0"})
     expect_refused({"quality", "verdict"}, lie);
-  for (const char* lie : {"5", "0", "-2", "Round", "[2]", "{}", "~"})
+  for (const char* lie : {"13", "0", "-2", "Round", "[2]", "{}", "~"})
     expect_refused({"symmetry"}, lie);
   for (const char* key : {"reasons", "advice"})
     for (const char* lie : {"text", "{}", "[[a]]", "[{}]", "1"})

@@ -57,9 +57,8 @@ inline ObjectModel random_model(unsigned seed, const std::string& name = "wrench
   if (unit(random) < 0.5) model.quality.change_agreement = unit(random);
   if (unit(random) < 0.5) model.quality.outline_probability = unit(random);
   model.quality.search_time = unit(random);
-  constexpr int kDeclarable[] = {0, 1, 2, 3, 4, 6};
   if (seed % 3 == 0) model.taught_by = "robot \"7\"/left";
-  if (seed % 2 == 0) model.symmetry = kDeclarable[seed / 2 % 6];
+  if (seed % 2 == 0) model.symmetry = static_cast<int>(seed / 2 % 13);
   for (unsigned i = 0; i <= random() % 4; ++i)
     model.views.push_back(random_view(random, largest_side));
   return model;

@@ -40,7 +40,7 @@ TEST(ObjectFile, RefusesModelsThatBreakTheRules) {
   model.views.clear();
   EXPECT_THROW(encode_object(model), std::invalid_argument);
   model = random_model(1);
-  model.symmetry = 5;
+  model.symmetry = 13;
   EXPECT_THROW(encode_object(model), std::invalid_argument);
   model = random_model(1);
   model.views.front().map.setTo(128);

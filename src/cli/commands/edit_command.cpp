@@ -48,7 +48,7 @@ Command edit_command() {
       "declare an object's symmetry or set its own threshold",
       {library_option(),
        name_option(),
-       {"--symmetry", "auto|none|2|3|4|6|round", "equal angles in a turn"},
+       {"--symmetry", "auto|none|2..12|round", "equal angles in a turn"},
        {"--min-score", "S", "minimum score to report it, instead of min_score; auto: min_score"}},
       "",
       "Equivalent angles do not compete, so an object can be graspable at any of them. auto: "

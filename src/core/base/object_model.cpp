@@ -163,7 +163,7 @@ void validate(const ObjectModel& model) {
   require(!model.min_score || (*model.min_score > 0 && *model.min_score <= 1),
           "an object's own threshold must lie in (0..1]");
   require(!model.symmetry || is_declarable_symmetry(*model.symmetry),
-          "an object's declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round)");
+          "an object's declared symmetry must be 1 (none), 2 to 12, or 0 (round)");
   require(!model.grasp || is_sound(*model.grasp),
           "a grasp needs a position within 10 m and a unit quaternion");
   for (const auto& view : model.views) validate_view(view);

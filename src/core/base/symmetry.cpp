@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/symmetry.hpp"
 
-#include <algorithm>
-#include <array>
 #include <stdexcept>
 
 namespace mbncc {
 namespace {
 
-constexpr std::array<int, 6> kDeclarable{{1, 2, 3, 4, 6, 0}};
+constexpr int kMost = 12;                     // beyond it, an object is as good as round
 constexpr const char* kProposal = "nearly_";  // prefix of the keys of proposals
 
 }  // namespace
 
 bool is_declarable_symmetry(int symmetry) {
-  return std::find(kDeclarable.begin(), kDeclarable.end(), symmetry) != kDeclarable.end();
+  return symmetry >= 0 && symmetry <= kMost;
 }
 
 std::string symmetry_text(std::optional<int> symmetry) {
@@ -25,16 +23,16 @@ std::string symmetry_text(std::optional<int> symmetry) {
 
 std::optional<int> parse_symmetry(const std::string& text) {
   if (text == symmetry_text({})) return {};
-  for (const int symmetry : kDeclarable)
+  for (int symmetry = 0; is_declarable_symmetry(symmetry); ++symmetry)
     if (text == symmetry_text(symmetry)) return symmetry;
   throw std::invalid_argument("the symmetry '" + text +
-                              "' is not known; give auto, none, 2, 3, 4, 6 or round");
+                              "' is not known; give auto, none, 2 to 12, or round");
 }
 
 void declare_symmetry(ObjectModel& model, std::optional<int> symmetry) {
   if (symmetry && !is_declarable_symmetry(*symmetry))
     throw std::invalid_argument("a symmetry of " + std::to_string(*symmetry) +
-                                " cannot be declared; give 1 (none), 2, 3, 4, 6 or 0 (round)");
+                                " cannot be declared; give 1 (none), 2 to 12, or 0 (round)");
   model.symmetry = symmetry;
   if (!symmetry) return;
   Quality& quality = model.quality;

@@ -228,7 +228,7 @@ std::optional<int> symmetry_from_msg(std::uint8_t symmetry) {
   if (symmetry == Goal::SYMMETRY_ROUND) return 0;
   if (!is_declarable_symmetry(symmetry))
     throw std::invalid_argument("the symmetry " + std::to_string(symmetry) +
-                                " does not exist; give 0 (auto), 1 (none), 2, 3, 4, 6 or 255 "
+                                " does not exist; give 0 (auto), 1 (none), 2 to 12, or 255 "
                                 "(round)");
   return symmetry;
 }

@@ -110,11 +110,11 @@ TEST(CheckGoal, RefusesInvalidNumbers) {
     EXPECT_EQ(code(goal, {}), Result::REGION_INVALID) << height;
   }
   goal = goal_named("cup");
-  for (const int symmetry : {5, 7, 8, 254}) {
+  for (const int symmetry : {13, 100, 254}) {
     goal.symmetry = static_cast<std::uint8_t>(symmetry);
     EXPECT_EQ(code(goal, {}), Result::REGION_INVALID) << symmetry;
   }
-  for (const int symmetry : {0, 1, 2, 3, 4, 6, 255}) {
+  for (const int symmetry : {0, 1, 2, 5, 12, 255}) {
     goal.symmetry = static_cast<std::uint8_t>(symmetry);
     EXPECT_EQ(code(goal, {}), Result::SUCCESS) << symmetry;
   }

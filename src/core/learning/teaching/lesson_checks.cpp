@@ -60,7 +60,7 @@ void check_lesson(const Lesson& lesson) {
   require(lesson.object_height >= 0 && lesson.object_height <= kLongestLength,
           LearnError::kRegionInvalid, "The object's height must be 0 to 10 metres.");
   require(!lesson.symmetry || is_declarable_symmetry(*lesson.symmetry), LearnError::kRegionInvalid,
-          "The declared symmetry must be 1 (none), 2, 3, 4, 6 or 0 (round).");
+          "The declared symmetry must be 1 (none), 2 to 12, or 0 (round).");
   require(
       !lesson.click || cv::Rect2d({0, 0}, cv::Size2d(lesson.before.size())).contains(*lesson.click),
       LearnError::kRegionInvalid, "The click does not lie in the image.",

@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "matching/prepared/self_comparison.hpp"
-#include "mbncc/symmetry.hpp"
 
 namespace mbncc {
 namespace {
@@ -24,6 +23,11 @@ constexpr double kRoundOverlap = 0.94;  // a hexagon turned by half a side has 0
 constexpr double kNearOutline = 0.2;    // of the radius
 constexpr double kNearMark = 40;        // [grey levels], or ...
 constexpr double kNearRest = 0.35;      // ... of the texture
+
+/// Whether a near symmetry of this order is proposed. A hexagon nearly has those left out.
+constexpr bool is_proposed(int order) {
+  return order <= 6 && order != 5;
+}
 
 enum class Repeats { kNot, kNearly, kSurely };
 
@@ -97,7 +101,7 @@ MeasuredSymmetry measure_symmetry(const View& view) {
   for (const int order : {12, 10, 9, 8, 7, 6, 5, 4, 3, 2}) {
     if (!measurement.covers_itself(order, kNearOverlap - kOverlapGain)) continue;
     const Repeats repeats = measurement.with_order(order);
-    if (repeats == Repeats::kNearly && is_declarable_symmetry(order))
+    if (repeats == Repeats::kNearly && is_proposed(order))
       symmetry.possible = std::max(symmetry.possible, order);
     if (repeats != Repeats::kSurely) continue;
     symmetry.certain = order;
