@@ -11,7 +11,8 @@ namespace mbncc {
 /// and new place were segmented as one object. Images are CV_8UC3 of one size.
 double part_put_down(const cv::Mat& map, const cv::Mat& before, const cv::Mat& after);
 
-/// If part_put_down() is at least this, the map contains more than the object.
-constexpr double kMostPutDown = 0.25;
+/// If part_put_down() is at least this, and CutEvidence::edges_after at least kMostEdgesAfter, the
+/// map contains more than the object.
+constexpr double kMostPutDown = 0.25, kMostEdgesAfter = 0.15;
 
 }  // namespace mbncc

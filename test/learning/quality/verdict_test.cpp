@@ -94,14 +94,15 @@ TEST_F(VerdictTest, EverySignalRaisesTheRisk) {
 }
 
 TEST_F(VerdictTest, WarningsOfTheCutPreventGood) {
-  CutEvidence touch, outside, beside, hole, several, unverified;
+  CutEvidence touch, outside, beside, hole, several, arrived, unverified;
   touch.cut_off = 0.04;
   hole.unconfirmed_hole = 0.11;
   several.second_departure = 0.51;
+  arrived.edges_after = 0.21;
   outside.change_outside = 0.11;
   beside.change_beside = 0.09;
   unverified.verified = false;
-  for (const CutEvidence& evidence : {touch, outside, beside, hole, several, unverified})
+  for (const CutEvidence& evidence : {touch, outside, beside, hole, several, arrived, unverified})
     EXPECT_EQ(verdict_with(evidence), Verdict::kMarginal);
   touch.cut_off = 1;
   beside.change_beside = 1;

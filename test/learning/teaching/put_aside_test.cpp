@@ -222,10 +222,15 @@ TEST(PutAsideLesson, TwoRemovedObjectsAreNotGood) {
   const cv::Mat beside = test::wedge_map(kSize, {180, 110});
   test::texture(kSize, cv::Scalar(60, 90, 190), 22, 4).copyTo(drawn.scene, beside);
   drawn.lesson.before = test::exposed(drawn.scene, 11);
+  for (const cv::Rect& region : {cv::Rect(), cv::Rect(40, 50, 200, 120)}) {
+    drawn.lesson.region = region;
+    const LearnResult result = learn_object(drawn.lesson);
+    ASSERT_TRUE(result.has_model) << result.message;
+    EXPECT_NE(result.object.quality.verdict, Verdict::kGood) << region;
+    const auto& reasons = result.object.quality.reasons;
+    EXPECT_EQ(std::count(reasons.begin(), reasons.end(), "several_left"), 1) << region;
+  }
   drawn.lesson.region = {};
-  const LearnResult result = learn_object(drawn.lesson);
-  ASSERT_TRUE(result.has_model) << result.message;
-  EXPECT_NE(result.object.quality.verdict, Verdict::kGood);
   InteractiveLesson edited(drawn.lesson);
   LessonEdit edit;
   edit.stroke_width = 5;

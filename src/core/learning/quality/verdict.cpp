@@ -26,7 +26,7 @@ struct Reason {
 };
 
 // Worst first.
-constexpr std::array<Reason, 18> kReasons{{
+constexpr std::array<Reason, 19> kReasons{{
     {"touches_image_border", "Move the object fully into view and teach again."},
     {"too_small", "Move the camera closer or use a higher resolution."},
     {"low_texture", "Turn the object's marked side up or improve the light."},
@@ -43,6 +43,9 @@ constexpr std::array<Reason, 18> kReasons{{
     {"unconfirmed_hole",
      "Mark the hole by a stroke, as a part of the object or as platform: the images do not show "
      "which."},
+    {"edges_after",
+     "Something lies at the object's old place in the image after, or the images are "
+     "interchanged: clear the place, and give the image with the object first."},
     {"several_left", "More than one object may have left: click on the one that is meant."},
     {"unstable_cut", "Check the outline and correct it by a stroke: a part of it is uncertain."},
     {"weak_boundary",
@@ -144,6 +147,7 @@ void weigh_evidence(const CutEvidence& evidence, Quality& quality, ReasonCollect
   reasons.above("change_outside_region", evidence.change_outside, 0.1, 0.5);
   reasons.above("change_left_out", evidence.change_beside, 0.08, kNever);
   reasons.above("unconfirmed_hole", evidence.unconfirmed_hole, kLargeHole, kHugeHole);
+  reasons.above("edges_after", evidence.edges_after, 0.2, kNever);
   reasons.above("several_left", evidence.second_departure, 0.5, kNever);
   const OutlineRisk risk = evidence.verified
                                ? OutlineRisk::by_change(evidence, quality.edge_agreement)

@@ -40,15 +40,28 @@ cv::Mat steepest_slope(const cv::Mat& image) {
   return slope;
 }
 
-// Part of the outline with an image edge within a pixel. In a dark image weaker edges count,
-// because contrast is relative to the light.
-double edge_agreement(const cv::Mat& image, const cv::Mat& grey, const cv::Mat& map) {
-  const double least = kEdgeSlope * std::clamp(cv::mean(grey)[0] / kMiddleGrey, 0.5, 1.0);
+// Largest slope within a pixel.
+cv::Mat slope_nearby(const cv::Mat& image) {
   cv::Mat slope;
   cv::dilate(steepest_slope(image), slope, cv::Mat());
+  return slope;
+}
+
+// Least slope of an edge. In a dark image weaker edges count, because contrast is relative to the
+// light.
+double least_slope(const cv::Mat& grey) {
+  return kEdgeSlope * std::clamp(cv::mean(grey)[0] / kMiddleGrey, 0.5, 1.0);
+}
+
+double part_of_outline(const cv::Mat& pixels, const cv::Mat& map) {
   const cv::Mat outline = outline_pixels(map);
   const int length = cv::countNonZero(outline);
-  return length == 0 ? 0 : cv::countNonZero((slope > least) & outline) / double(length);
+  return length == 0 ? 0 : cv::countNonZero(pixels & outline) / double(length);
+}
+
+// Part of the outline with an image edge within a pixel.
+double edge_agreement(const cv::Mat& image, const cv::Mat& grey, const cv::Mat& map) {
+  return part_of_outline(slope_nearby(image) > least_slope(grey), map);
 }
 
 cv::Rect surroundings(const cv::Mat& map) {
@@ -81,6 +94,15 @@ void measure_map(const cv::Mat& image, const cv::Mat& map, Quality& quality) {
 double edge_agreement(const cv::Mat& image, const cv::Mat& map) {
   const cv::Rect box = surroundings(map);
   return box.empty() ? 0 : edge_agreement(image(box), grey_of(image(box)), map(box));
+}
+
+double edges_only_after(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map) {
+  constexpr double kWeak = 0.6;  // of the slope after; less is hardly an edge
+  const cv::Rect box = surroundings(map);
+  if (box.empty()) return 0;
+  const cv::Mat slope = slope_nearby(after(box));
+  const cv::Mat weak = slope_nearby(before(box)) < kWeak * slope;
+  return part_of_outline((slope > least_slope(grey_of(after(box)))) & weak, map(box));
 }
 
 double map_iou(const cv::Mat& a, const cv::Mat& b) {

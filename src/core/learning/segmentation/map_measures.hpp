@@ -20,6 +20,10 @@ void measure_map(const cv::Mat& image, const cv::Mat& map, Quality& quality);
 /// empty.
 double edge_agreement(const cv::Mat& image, const cv::Mat& map);
 
+/// Part [0..1] of the outline with an edge of `after` within a pixel that `before` hardly has; 0 if
+/// the map is empty. All have one size, and the images are CV_8UC3. What left has its edges before.
+double edges_only_after(const cv::Mat& before, const cv::Mat& after, const cv::Mat& map);
+
 /// IoU [0..1] of two maps of one size (CV_8UC1); 0 if both are empty.
 double map_iou(const cv::Mat& a, const cv::Mat& b);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "learning/segmentation/map_measures.hpp"
 #include "learning/teaching/lesson_checks.hpp"
 #include "learning/teaching/lesson_region.hpp"
 #include "learning/teaching/map_cutter.hpp"
@@ -17,20 +18,17 @@ namespace {
 
 constexpr double kRefines = 0.75;  // agreement of two views, above which both contribute to the map
 constexpr double kCutOff = 0.1;    // part of an outline on the edge of a region that cuts it off
-constexpr double kDoubtfulChange = 0.2;  // change outside the region above which a map is not GOOD
 
 bool refines(const NewPlace& place) {
   return place.agreement >= kRefines;
 }
 
-// A cut whose place nobody has named, before and after strokes. One part of a map may be the place
-// where the object was put down. If several objects left (`second_departure`), another one may be
-// meant, unless a stroke includes a part of this one.
+// A cut before and after strokes. If several objects left (`second_departure`, or several large
+// parts of the map), another one may be meant, unless a stroke includes a part of this one. One
+// part may also be the place where the object was put down.
 Segmentation doubtful(Segmentation cut, double second_departure) {
   if (!cut.evidence) return cut;
-  cut.evidence->second_departure = second_departure;
-  if (!large_parts(cut.map).empty())
-    cut.evidence->change_outside = std::max(cut.evidence->change_outside, kDoubtfulChange);
+  cut.evidence->second_departure = large_parts(cut.map).empty() ? second_departure : 1;
   if (!cut.cut_again) return cut;
   cut.cut_again = [map = cut.map, again = cut.cut_again, second_departure](const Marks& marks) {
     const bool meant = cv::countNonZero(map & marks.include) > 0;
@@ -77,6 +75,7 @@ class LessonRun {
     state_.cut = cutter_.acquire_map();
     keep_changed();
     search_put_aside();
+    if (!lesson_.after.empty()) state_.cut = doubtful(*state_.cut, 0);
   }
 
   void keep_changed() {
@@ -181,8 +180,11 @@ class LessonRun {
     const StepTimer timer(result_.timings_ms, "quality");
     progress_.report(Stage::kQuality, 0.85, "Computing the verdict.");
     result_.evidence = segmentation.evidence;
+    if (result_.evidence && !lesson_.after.empty())
+      result_.evidence->edges_after =
+          segmentation::edges_only_after(lesson_.before, lesson_.after, segmentation.map);
     Quality& quality = result_.object.quality;
-    quality = assess_quality(result_.object, lesson_.before, state_.changed, segmentation.evidence,
+    quality = assess_quality(result_.object, lesson_.before, state_.changed, result_.evidence,
                              config_, search_);
     // A given map is never refused for quality; the verdict only warns.
     if (!lesson_.map.empty() && quality.verdict == Verdict::kBad)
