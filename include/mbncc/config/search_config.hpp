@@ -14,13 +14,13 @@ struct SearchConfig {
   std::string accept_by =
       "score";             ///< score: probability from all features; similarity: the paper's rule
   double min_score = 0.5;  ///< [0..1] minimum score of a reported detection
-  double confirm_score = 0.7;   ///< [0..1] minimum score of a graspable detection, see fields()
-  double min_margin_place = 6;  ///< log-odds difference to the best competitor elsewhere
-  double min_margin_angle = 6;  ///< log-odds difference to the best other angle at the place
-  double max_place_deviation = 1.25;  ///< [px] largest standard deviation of a graspable position
-  double max_angle_deviation = 1;     ///< [deg] largest standard deviation of a graspable angle
-  double min_visible = 0.6;           ///< [0..1] part of the map inside the image
-  int max_instances = 50;             ///< per name
+  double confirm_score = 0.7;      ///< [0..1] minimum score of a graspable detection, see fields()
+  double min_margin_place = 6;     ///< log-odds difference to the best competitor elsewhere
+  double min_margin_angle = 6;     ///< log-odds difference to the best other angle at the place
+  double max_place_deviation = 2;  ///< [px] largest standard deviation of a graspable position
+  double max_angle_deviation = 1.5;  ///< [deg] largest standard deviation of a graspable angle
+  double min_visible = 0.6;          ///< [0..1] part of the map inside the image
+  int max_instances = 50;            ///< per name
   double max_overlap =
       0.25;  ///< [0..1] of the smaller map, above which the weaker detection is dropped
   double scale_range = 0;  ///< [0..0.5] largest relative difference in size that is searched

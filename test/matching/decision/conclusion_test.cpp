@@ -132,8 +132,8 @@ TEST_F(ConclusionTest, WeakEvidenceIsNamed) {
 }
 
 TEST_F(ConclusionTest, AnUncertainPositionIsNamed) {
-  match_.covariance(1, 1) = 4;
-  expect_refused("position known to 2.0 px only", false);
+  match_.covariance(1, 1) = 9;
+  expect_refused("position known to 3.0 px only", false);
 }
 
 TEST_F(ConclusionTest, AnUncertainAngleMattersUnlessItIsRound) {
