@@ -151,7 +151,7 @@ class Teach(unittest.TestCase):
         self.assertIn("letter", said)
 
     def test_a_symmetry_that_does_not_exist_is_wrong_usage(self):
-        program = self.start("part", "--symmetry", "5")
+        program = self.start("part", "--symmetry", "13")
         said, _ = program.communicate()
         self.assertEqual(program.returncode, 2)
         self.assertIn("round", said)

@@ -113,7 +113,7 @@ TEST_F(EditObject, DeclaresTheSymmetry) {
   EXPECT_GT(stored().revision, before) << "the poses of a round object may turn";
   declare.symmetry = mbncc_vision::LearnObjectGoal::SYMMETRY_2;
   EXPECT_EQ(edit_object(library_, declare).symmetry, 2);
-  for (const int wrong : {5, 7, 8, 254}) {
+  for (const int wrong : {13, 100, 254}) {
     declare.symmetry = static_cast<std::uint8_t>(wrong);
     EXPECT_THROW(edit_object(library_, declare), std::invalid_argument) << wrong;
   }
