@@ -89,7 +89,7 @@ bool LessonDraft::undo() {
 
 bool LessonDraft::overlaps_old_place() const {
   if (!learned_.has_model || goal_.mode != Goal::CHANGE) return false;
-  // Colours alone also tell a platform whose old place is shaded or was hidden.
+  // By colours alone, one right lesson in ten would be refused.
   if (learned_.evidence && learned_.evidence->edges_after < kMostEdgesAfter) return false;
   const cv::Mat map = full_size_map(learned_.object.views.front());
   return part_put_down(map, images_.before().image, images_.after().image) >= kMostPutDown;

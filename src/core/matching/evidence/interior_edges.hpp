@@ -16,7 +16,7 @@ class InteriorEdges {
  public:
   InteriorEdges() = default;
 
-  /// Of LessonCrop.
+  /// The parameters are those of LessonCrop.
   InteriorEdges(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
   /// Largest connected group of clear edges of the lesson or the image that the other lacks, with

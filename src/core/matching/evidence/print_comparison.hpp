@@ -25,7 +25,7 @@ class PrintComparison {
  public:
   PrintComparison() = default;
 
-  /// Of LessonCrop.
+  /// The parameters are those of LessonCrop.
   PrintComparison(const scene::SceneLevel& lesson, const cv::Mat& map, cv::Point2d anchor);
 
   /// Compares the object with its anchor at `pose`, `scale` times as large as in the lesson.
