@@ -5,6 +5,7 @@
 #include <cmath>
 #include <opencv2/imgproc.hpp>
 
+#include "learning/likelihood/cast_shadow.hpp"
 #include "learning/likelihood/faint_change.hpp"
 #include "learning/likelihood/gradual_light.hpp"
 #include "learning/likelihood/normalized_difference.hpp"
@@ -25,7 +26,7 @@ constexpr int kShadowBox = 7;            // [px] a shadow's depth is averaged ov
 constexpr float kTextureLost = 6;        // largest log-odds of covered texture against a shadow
 constexpr float kTextureKept = 4;        // largest log-odds of visible texture for a shadow
 constexpr float kFaintlyChanged = 0.9F;  // probability of change found only in windows
-constexpr float kGradualLight = 5;       // log-odds of platform added for gradual light
+constexpr float kLight = 5;              // log-odds of platform added for gradual light and shadows
 constexpr float kHighestRatio = 60;      // largest log-likelihood ratio
 constexpr float kHardlyPossible = 20;    // log-prior against light beyond its plausible range
 
@@ -195,8 +196,9 @@ BackgroundLikelihood background_likelihood(const cv::Mat& before, const cv::Mat&
   result.changed = 1 / (1 + sum / 2);
   const cv::Mat faint = faint_change(misfit, after, variance, noise.tail, result.changed > 0.5);
   result.changed.setTo(kFaintlyChanged, faint & (result.changed < kFaintlyChanged));
-  favour_platform(gradual_light(before, after, result.changed, lost, noise.sigma(1)), kGradualLight,
+  favour_platform(gradual_light(before, after, result.changed, lost, noise.sigma(1)), kLight,
                   result);
+  favour_platform(cast_shadow(before, after), kLight, result);
   return result;
 }
 
