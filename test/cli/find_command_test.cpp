@@ -3,6 +3,7 @@
 #include <yaml-cpp/yaml.h>
 
 #include "cli/tool.hpp"
+#include "mbncc/library/object_library.hpp"
 
 namespace mbncc::test {
 namespace {
@@ -162,6 +163,25 @@ TEST_F(FindCommand, UnknownNamesAndMissingLibrariesAreRefused) {
   std::filesystem::create_directory(folder_ / "bare");
   EXPECT_TRUE(run_tool({"find", "--library", folder_ / "bare", folder_ / "target.png"})
                   .says("has no objects"));
+}
+
+TEST_F(FindCommand, LookAlikesCompeteWithANamedObject) {
+  const auto graspable = [&] {
+    const ToolRun run = find({"--json", "--name", "part", folder_ / "target.png"});
+    EXPECT_FALSE(run.prints("\"twin\"")) << run.out;
+    return run.prints("\"graspable\": true");
+  };
+  EXPECT_TRUE(graspable()) << "without a look-alike";
+  ASSERT_EQ(run_tool(folder_.lesson("twin")).code, 0);
+  EXPECT_FALSE(graspable());
+}
+
+TEST_F(FindCommand, ADisabledObjectIsNamedAsSkipped) {
+  ObjectLibrary library(folder_.library());
+  library.edit("part", [](ObjectModel& model) { model.enabled = false; });
+  const ToolRun run = find({"--json", "--name", "part", folder_ / "target.png"});
+  EXPECT_TRUE(run.prints("part: disabled")) << run.out;
+  EXPECT_FALSE(find({"--json", folder_ / "target.png"}).prints("disabled"));
 }
 
 TEST_F(FindCommand, AnyImageSizeIsSearched) {

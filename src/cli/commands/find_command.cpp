@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <iostream>
+#include <set>
 
 #include "cli/command.hpp"
 #include "cli/images.hpp"
@@ -25,7 +27,6 @@ void apply_options(const Arguments& arguments, SearchConfig& search) {
 
 SearchRequest request_from(const Arguments& arguments, const SearchConfig& search) {
   SearchRequest request;
-  request.names = arguments.all("--name");
   // A threshold on the command line overrides the thresholds of the objects.
   if (arguments.has("--min-score")) request.min_score = search.min_score;
   return request;
@@ -37,13 +38,24 @@ std::unique_ptr<MatchReport> report_for(const Arguments& arguments) {
   return plain_report(std::cout);
 }
 
-Matcher prepared_matcher(const Arguments& arguments, const SearchConfig& search) {
-  ObjectLibrary library = existing_library(arguments);
-  const auto snapshot = load_objects(library);
-  for (const auto& name : arguments.all("--name")) named_object(*snapshot, name);
-  Matcher matcher(search);
-  matcher.set_objects(snapshot->objects);
-  return matcher;
+/// Removes what concerns objects other than `names`. All objects are searched, so that look-alikes
+/// compete.
+void keep_named(const std::vector<std::string>& names, const LibrarySnapshot& library,
+                SearchResult& result) {
+  if (names.empty()) return;
+  const auto is_other = [&names](const std::string& name) {
+    return std::find(names.begin(), names.end(), name) == names.end();
+  };
+  const auto drop = [](auto& items, const auto& is_dropped) {
+    items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
+  };
+  drop(result.matches, [&](const Match& match) { return is_other(match.name); });
+  drop(result.searched, is_other);
+  drop(result.limited, is_other);
+  drop(result.skipped,
+       [&](const std::string& reason) { return is_other(reason.substr(0, reason.find(':'))); });
+  for (const auto& name : std::set<std::string>(names.begin(), names.end()))
+    if (!named_object(library, name)->enabled) result.skipped.push_back(name + ": disabled");
 }
 
 SearchResult searched(const Matcher& matcher, const std::string& image_path, const cv::Mat& image,
@@ -64,7 +76,12 @@ ExitCode run(const Arguments& arguments) {
   arguments.at_most_one_of({"--csv", "--json"});
   Settings settings = settings_from(arguments);
   apply_options(arguments, settings.search());
-  const Matcher matcher = prepared_matcher(arguments, settings.search());
+  ObjectLibrary library = existing_library(arguments);
+  const auto snapshot = load_objects(library);
+  const auto names = arguments.all("--name");
+  for (const auto& name : names) named_object(*snapshot, name);
+  Matcher matcher(settings.search());
+  matcher.set_objects(snapshot->objects);
   const SearchRequest request = request_from(arguments, settings.search());
   OverlayWriter overlay(arguments.get("--overlay"));
   const auto report = report_for(arguments);
@@ -75,7 +92,8 @@ ExitCode run(const Arguments& arguments) {
     for (const auto& image_path : arguments.operands()) {
       try {
         const cv::Mat image = read_image(image_path);
-        const SearchResult result = searched(matcher, image_path, image, request);
+        SearchResult result = searched(matcher, image_path, image, request);
+        keep_named(names, *snapshot, result);
         warn_of_skipped(image_path, result);
         report->add(image_path, image.size(), result);
         overlay.write(image_path, image, result.matches);
@@ -96,7 +114,7 @@ Command find_command() {
   return {"find",
           "find learned objects in images",
           {library_option(),
-           {"--name", "NAME", "search for this object only", false, true},
+           {"--name", "NAME", "report this object only", false, true},
            {"--min-score", "S", "minimum score of reported detections"},
            {"--max-instances", "N", "detections per object and image"},
            {"--threads", "T", "worker threads"},
