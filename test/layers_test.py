@@ -43,7 +43,7 @@ NAMESPACE_OF_FILE = {'library_cache.hpp': 'mbncc', 'library_cache.cpp': 'mbncc',
 # Public headers lie in one folder per layer. Those without an implementation hold data: the layer's private folders
 # and all above may include them. The others have the level of the folder that implements them.
 PUBLIC = {'matching': 3, 'learning': 13, 'cell': 19}
-CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'png.h',
+CORE_LIBRARIES = ('opencv2/core', 'opencv2/imgproc', 'opencv2/ximgproc', 'Eigen/', 'jpeglib.h', 'png.h',
                   'yaml-cpp/')
 SYSTEM_HEADERS = ('sys/', 'unistd.h', 'fcntl.h', 'dirent.h', 'immintrin.h')
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)

@@ -17,6 +17,7 @@
 #include "cli/image_header.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/image_limits.hpp"
+#include "mbncc/jpeg_damage.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -93,6 +94,8 @@ cv::Mat decode(const std::string& path) {
   try {
     const ImageHeader header = read_image_header(bytes);
     check_header(header, path);
+    if (const std::string damage = jpeg_damage(bytes); !damage.empty())
+      throw FileError(path, "the image is damaged (" + damage + "); copy it again");
     image = cv::imdecode(bytes, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     tell_of_orientation(header, path);
   } catch (const FileError&) {

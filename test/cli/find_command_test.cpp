@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "cli/tool.hpp"
 #include "mbncc/library/object_library.hpp"
 
@@ -103,6 +105,28 @@ TEST_F(FindCommand, UnreadableImagesDoNotStopTheOthers) {
         "huge.png: the image has more than 64 million pixels", ": a folder; give",
         "/dev/null: not a regular file"})
     EXPECT_TRUE(run.says(sentence)) << sentence << "\n" << run.err;
+}
+
+// libjpeg only warns of bytes that are missing, and the rows below are displaced.
+TEST_F(FindCommand, DamagedJpegImagesAreRefused) {
+  const cv::Mat image = cv::imread(folder_ / "target.png");
+  cv::Mat grey;
+  cv::cvtColor(image, grey, cv::COLOR_BGR2GRAY);
+  folder_.write("whole.jpg", image);
+  folder_.write("grey.jpg", grey);
+  cv::imwrite(folder_ / "progressive.jpg", image, {cv::IMWRITE_JPEG_PROGRESSIVE, 1});
+  EXPECT_EQ(find({folder_ / "whole.jpg", folder_ / "grey.jpg", folder_ / "progressive.jpg"}).err,
+            "");
+  for (const char* name : {"whole.jpg", "grey.jpg", "progressive.jpg"}) {
+    const std::string bytes = content_of_file(folder_ / name);
+    const std::size_t half = bytes.size() / 2, missing = 600;
+    std::ofstream(folder_ / "gap.jpg", std::ios::binary)
+        << bytes.substr(0, half) << bytes.substr(half + missing);
+    const ToolRun run = find({"--csv", folder_ / "gap.jpg"});
+    EXPECT_EQ(run.code, 1) << name;
+    EXPECT_TRUE(run.says("gap.jpg: the image is damaged (")) << name << run.err;
+    EXPECT_FALSE(run.prints("gap.jpg")) << name;
+  }
 }
 
 TEST_F(FindCommand, ImagesWithAlphaAndGreyImagesAreSearched) {

@@ -3,13 +3,17 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdint>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
 #include <system_error>
 
 #include "mbncc/error.hpp"
+#include "mbncc/jpeg_damage.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -41,6 +45,11 @@ std::vector<std::string> images_in(const std::string& folder) {
   if (error) throw FileError(folder, error.message());
   std::sort(paths.begin(), paths.end());
   return paths;
+}
+
+std::vector<std::uint8_t> content_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
 /// Lists the devices, as in "there is /dev/video0, /dev/video2", for the error message about a
@@ -97,6 +106,8 @@ class FolderSource : public ImageSource {
   cv::Mat retrieve() override {
     const cv::Mat image = cv::imread(current_, cv::IMREAD_COLOR | cv::IMREAD_IGNORE_ORIENTATION);
     if (image.empty()) throw FileError(current_, "not a readable image; skipped");
+    const std::string damage = jpeg_damage(content_of(current_));
+    if (!damage.empty()) throw FileError(current_, "damaged (" + damage + "); skipped");
     return image;
   }
 

@@ -8,6 +8,7 @@
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
 
+#include <cstdint>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -109,6 +110,10 @@ TEST_F(Camera, PublishesEveryImageOfAFolderInOrder) {
 TEST_F(Camera, LoopsAndSkipsUnreadableImages) {
   write_images(folder_ / "images", 2);
   std::ofstream(folder_ / "images/001a.png") << "rubbish";
+  std::vector<std::uint8_t> jpeg;
+  cv::imencode(".jpg", image_of(2), jpeg);
+  std::ofstream(folder_ / "images/001b.jpg", std::ios::binary)
+      << std::string(jpeg.begin(), jpeg.end() - 8);
   set("source", folder_ / "images");
   set("frame_rate", 100.0);
   set("loop", true);
