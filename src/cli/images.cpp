@@ -18,6 +18,7 @@
 #include "mbncc/error.hpp"
 #include "mbncc/image_limits.hpp"
 #include "mbncc/jpeg_damage.hpp"
+#include "mbncc/library/object_file.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -160,8 +161,19 @@ cv::Mat read_map(const std::string& path) {
   return grey > 127;
 }
 
-void write_image(const std::string& path, const cv::Mat& image) {
+void refuse_to_replace(const std::string& path, const std::vector<std::string>& inputs) {
+  if (is_object_file(path))
+    throw FileError(path, "is a learned object and is not replaced; choose another name or folder");
+  std::error_code ignored;
+  for (const auto& input : inputs)
+    if (std::filesystem::equivalent(path, input, ignored))
+      throw FileError(path, "is an input and is not replaced; choose another name or folder");
+}
+
+void write_image(const std::string& path, const cv::Mat& image,
+                 const std::vector<std::string>& inputs) {
   namespace fs = std::filesystem;
+  refuse_to_replace(path, inputs);
   std::vector<std::uint8_t> bytes;
   cv::imencode(".png", image, bytes);
   refuse_file_in(fs::path(path).parent_path());

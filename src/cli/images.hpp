@@ -4,6 +4,7 @@
 
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 namespace mbncc::cli {
 
@@ -16,8 +17,13 @@ cv::Mat read_image(const std::string& path);
 /// a photograph, because a map has only two grey values.
 cv::Mat read_map(const std::string& path);
 
-/// Writes a PNG file. Throws FileError.
-void write_image(const std::string& path, const cv::Mat& image);
+/// Refuses to write over an object, which only the library replaces, or over one of the `inputs`:
+/// throws FileError.
+void refuse_to_replace(const std::string& path, const std::vector<std::string>& inputs);
+
+/// Writes a PNG file. Throws FileError, also if refuse_to_replace() does.
+void write_image(const std::string& path, const cv::Mat& image,
+                 const std::vector<std::string>& inputs);
 
 /// Creates the folder and its parents if they are missing. Throws FileError.
 void make_output_folder(const std::string& folder);

@@ -156,6 +156,22 @@ TEST_F(FindCommand, OverlayShowsTheObjectAndKeepsInputsApart) {
   EXPECT_FALSE(cv::imread(folder_ / "marked/target_2_overlay.png").empty());
 }
 
+TEST_F(FindCommand, AnOverlayReplacesNeitherInputsNorObjects) {
+  std::filesystem::create_directory(folder_ / "ov");
+  folder_.write("ov/a.png", cv::imread(folder_ / "target.png"));
+  folder_.write("ov/a_overlay.png", cv::imread(folder_ / "target.png"));
+  const std::string before = content_of_file(folder_ / "ov/a_overlay.png");
+  const ToolRun run = find(
+      {"--csv", "--overlay", folder_ / "ov", folder_ / "ov/a.png", folder_ / "ov/a_overlay.png"});
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.says("ov/a_overlay.png: is an input and is not replaced")) << run.err;
+  EXPECT_EQ(content_of_file(folder_ / "ov/a_overlay.png"), before);
+  EXPECT_TRUE(run.prints("ov/a_overlay.png,part,0,")) << "the input is searched: " << run.out;
+  ASSERT_EQ(run_tool(folder_.lesson("target_overlay")).code, 0);
+  const ToolRun object = find({"--overlay", folder_.library(), folder_ / "target.png"});
+  EXPECT_TRUE(object.says("target_overlay.png: is a learned object")) << object.err;
+}
+
 TEST_F(FindCommand, ThresholdsComeFromOptionsAndSettings) {
   const std::string target = folder_ / "target.png";
   EXPECT_TRUE(find({"--min-score", "1", target}).prints("nothing found"));

@@ -51,6 +51,23 @@ TEST_F(LibraryCommands, TheMapIsExportedAtFullSize) {
   EXPECT_TRUE(full.says("No space left on device")) << full.err;
 }
 
+TEST_F(LibraryCommands, AnObjectIsNotReplacedByAnImage) {
+  const std::string object = folder_.library() + "/part.png";
+  const std::string stored = content_of_file(object);
+  ASSERT_EQ(run_tool(folder_.lesson("before")).code, 0);
+  for (const ToolRun& run :
+       {on_library("map", {"--name", "part", "--out", object}),
+        on_library("explain", {"--at", "195,125", "--overlay", object, folder_ / "target.png"}),
+        on_library("explain", {"--at", "195,125", "--save", object, folder_ / "target.png"}),
+        run_tool({"simulate", "--out", folder_.library(), "--count", "1"})}) {
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says(".png: is a learned object and is not replaced")) << run.err;
+  }
+  EXPECT_EQ(content_of_file(object), stored);
+  const std::string map = folder_ / "map.png";
+  EXPECT_EQ(on_library("map", {"--name", "part", "--out", map}).code, 0) << "an image is replaced";
+}
+
 TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_TRUE(on_library("list").prints("part"));
   EXPECT_TRUE(on_library("list").prints("none (auto)")) << "nothing is declared";

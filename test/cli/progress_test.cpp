@@ -24,7 +24,7 @@ TEST(Progress, ShowsTheProgressAndClearsTheLine) {
 TEST(Progress, OfOneLongItemNamesTheStep) {
   std::ostringstream out;
   Progress progress("", 1, out, true, 0);
-  StageWriter stages("");
+  StageWriter stages("", {});
   const StageObserver observer = stages.observer(progress);
   EXPECT_TRUE(observer(Stage::kSegment, 0.5, "Segmenting the object.", {}));
   EXPECT_NE(out.str().find("[###############---------------] Segmenting the object., "),

@@ -274,7 +274,7 @@ int main(int argc, char** argv) {
   cv::setNumThreads(1);
   const test::TemporaryFolder sound;
   const test::TemporaryFolder images;
-  cli::write_image(images / "image.png", image_of_sound(sound.path()));
+  cli::write_image(images / "image.png", image_of_sound(sound.path()), {});
   Outcome total;
   std::map<std::string, int> faults;
   for (int seed = first; seed < first + count; ++seed) {

@@ -26,6 +26,10 @@ std::vector<std::uint8_t> encode_object(const ObjectModel& model);
 /// all CRCs. Throws FileError.
 ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::string& path);
 
+/// Whether the path is a regular file with the description of an object, which must not be replaced
+/// except by the library.
+bool is_object_file(const std::string& path);
+
 /// Reads a regular file of bounded size (no FIFO, no directory, no symbolic link). Throws
 /// FileError.
 ObjectModel read_object_file(const std::string& path);

@@ -83,7 +83,7 @@ ExitCode run(const Arguments& arguments) {
   Matcher matcher(settings.search());
   matcher.set_objects(snapshot->objects);
   const SearchRequest request = request_from(arguments, settings.search());
-  OverlayWriter overlay(arguments.get("--overlay"));
+  OverlayWriter overlay(arguments.get("--overlay"), arguments.operands());
   const auto report = report_for(arguments);
   ExitCode code = kDone;
   {

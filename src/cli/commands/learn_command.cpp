@@ -67,7 +67,8 @@ LearnResult learn(const Lesson& lesson, const std::optional<LessonEdit>& edit, S
 void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult& result) {
   const auto edit = edit_from(arguments);
   const Lesson lesson = read_lesson(arguments);
-  StageWriter stages(arguments.get("--stages"));
+  StageWriter stages(arguments.get("--stages"),
+                     {arguments.get("--before"), arguments.get("--after"), arguments.get("--map")});
   ObjectLibrary library(library_folder(arguments));
   const auto known = load_reporting(library);
   const Storing storing = storing_of(arguments);

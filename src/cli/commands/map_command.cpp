@@ -13,7 +13,7 @@ ExitCode run(const Arguments& arguments) {
   settings_from(arguments);
   ObjectLibrary library = existing_library(arguments);
   const auto object = named_object(*load_reporting(library), arguments.get("--name"));
-  write_image(arguments.get("--out"), full_size_map(object->views.front()));
+  write_image(arguments.get("--out"), full_size_map(object->views.front()), {});
   std::cerr << "mbncc: wrote " << arguments.get("--out") << '\n';
   return kDone;
 }

@@ -37,7 +37,7 @@ class RecordedCell {
 
   void write(const std::string& name) {
     play_to_rest(script_);
-    write_image(folder_ + "/" + name, scene_.render(script_.frame().placed, images_++));
+    write_image(folder_ + "/" + name, scene_.render(script_.frame().placed, images_++), {});
   }
 
  private:

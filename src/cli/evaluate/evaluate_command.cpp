@@ -135,9 +135,9 @@ ExitCode run(const Arguments& arguments) {
   check_names(truth, *snapshot, arguments.get("--truth"));
   Matcher matcher(settings_from(arguments).search());
   matcher.set_objects(snapshot->objects);
-  EvaluationPage page(arguments.get("--page"));
-  Figures figures;
   const auto images = images_of(arguments.operands(), truth);
+  EvaluationPage page(arguments.get("--page"), images);
+  Figures figures;
   const auto missing = not_given(truth, images);
   tell_not_given(missing);
   {

@@ -73,7 +73,8 @@ std::vector<std::string> sentences_of(const Figures& figures) {
   return sentences;
 }
 
-EvaluationPage::EvaluationPage(std::string folder) : folder_(std::move(folder)) {
+EvaluationPage::EvaluationPage(std::string folder, std::vector<std::string> inputs)
+    : folder_(std::move(folder)), inputs_(std::move(inputs)) {
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
@@ -85,7 +86,7 @@ void EvaluationPage::add(const std::string& image_path, const cv::Mat& image,
   std::vector<Marking> markings;
   for (const auto& missed : comparison.missed) markings.push_back(missed_marking(missed));
   const std::string file = "image_" + std::to_string(++images_) + ".png";
-  write_image(folder_ + "/" + file, draw_markings(draw_matches(image, found), markings));
+  write_image(folder_ + "/" + file, draw_markings(draw_matches(image, found), markings), inputs_);
   rows_ += "<figure><img src=\"" + file + "\" width=\"640\"><figcaption>" + escaped(image_path) +
            ": " + std::to_string(comparison.missed.size()) + " missed, " +
            std::to_string(comparison.wrong.size()) + " wrong";

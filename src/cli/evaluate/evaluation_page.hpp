@@ -12,8 +12,8 @@ namespace mbncc::cli {
 
 class EvaluationPage {
  public:
-  /// With "" nothing is written. Throws FileError.
-  explicit EvaluationPage(std::string folder);
+  /// With "" nothing is written. `inputs` are not replaced. Throws FileError.
+  EvaluationPage(std::string folder, std::vector<std::string> inputs);
 
   /// Adds an image with a missed instance or a wrong detection.
   void add(const std::string& image_path, const cv::Mat& image, const Comparison& comparison);
@@ -23,6 +23,7 @@ class EvaluationPage {
 
  private:
   std::string folder_;
+  std::vector<std::string> inputs_;
   std::string rows_;
   int images_ = 0;
 };

@@ -36,10 +36,12 @@ ExitCode run(const Arguments& arguments) {
   else
     print_explanations(std::cout, explanations);
   if (arguments.has("--overlay")) {
-    write_image(arguments.get("--overlay"), draw_explanation(miss.image, miss.place, explanations));
+    write_image(arguments.get("--overlay"), draw_explanation(miss.image, miss.place, explanations),
+                arguments.operands());
     std::cerr << "mbncc: wrote " << arguments.get("--overlay") << '\n';
   }
   if (arguments.has("--save")) {
+    refuse_to_replace(arguments.get("--save"), arguments.operands());
     miss.lines = lines_of(explanations, kExplained);
     write_miss(arguments.get("--save"), miss);
     std::cerr << "mbncc: wrote " << arguments.get("--save") << "; 'mbncc replay' repeats it\n";

@@ -9,7 +9,8 @@
 
 namespace mbncc::cli {
 
-OverlayWriter::OverlayWriter(std::string folder) : folder_(std::move(folder)) {
+OverlayWriter::OverlayWriter(std::string folder, std::vector<std::string> inputs)
+    : folder_(std::move(folder)), inputs_(std::move(inputs)) {
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
@@ -20,7 +21,7 @@ void OverlayWriter::write(const std::string& image_path, const cv::Mat& image,
   std::string path = stem + "_overlay.png";
   for (int i = 2; written_.count(path) > 0; ++i)
     path = stem + "_" + std::to_string(i) + "_overlay.png";
-  write_image(path, draw_matches(image, matches));
+  write_image(path, draw_matches(image, matches), inputs_);
   written_.insert(path);
 }
 

@@ -13,8 +13,8 @@ namespace mbncc::cli {
 
 class OverlayWriter {
  public:
-  /// Creates the folder; with "" nothing is written.
-  explicit OverlayWriter(std::string folder);
+  /// Creates the folder; with "" nothing is written. `inputs` are not replaced.
+  OverlayWriter(std::string folder, std::vector<std::string> inputs);
 
   /// Writes `folder/<image>_overlay.png`, numbered if several images have the same file name.
   void write(const std::string& image_path, const cv::Mat& image,
@@ -25,6 +25,7 @@ class OverlayWriter {
 
  private:
   std::string folder_;
+  std::vector<std::string> inputs_;
   std::set<std::string> written_;
 };
 

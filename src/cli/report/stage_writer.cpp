@@ -22,7 +22,8 @@ const char* name_of(Stage stage) {
 
 }  // namespace
 
-StageWriter::StageWriter(std::string folder) : folder_(std::move(folder)) {
+StageWriter::StageWriter(std::string folder, std::vector<std::string> inputs)
+    : folder_(std::move(folder)), inputs_(std::move(inputs)) {
   if (!folder_.empty()) make_output_folder(folder_);
 }
 
@@ -31,7 +32,8 @@ StageObserver StageWriter::observer(Progress& progress) {
   return [&](Stage stage, double part, const std::string& message, const cv::Mat& image) {
     progress.show(part, message);
     if (!folder_.empty() && !image.empty())
-      write_image(folder_ + "/" + std::to_string(++count_) + "_" + name_of(stage) + ".png", image);
+      write_image(folder_ + "/" + std::to_string(++count_) + "_" + name_of(stage) + ".png", image,
+                  inputs_);
     return true;
   };
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "cli/terminal/progress.hpp"
 #include "mbncc/learning/learn_object.hpp"
@@ -11,8 +12,8 @@ namespace mbncc::cli {
 
 class StageWriter {
  public:
-  /// Creates the folder; with "" nothing is written.
-  explicit StageWriter(std::string folder);
+  /// Creates the folder; with "" nothing is written. `inputs` are not replaced.
+  StageWriter(std::string folder, std::vector<std::string> inputs);
 
   /// Also shows the stages on `progress`. The observer is valid as long as this object and
   /// `progress`; it is empty if nothing would be written or shown.
@@ -23,6 +24,7 @@ class StageWriter {
 
  private:
   std::string folder_;
+  std::vector<std::string> inputs_;
   int count_ = 0;
 };
 

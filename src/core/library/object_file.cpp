@@ -126,6 +126,15 @@ ObjectModel decode_object(const std::vector<std::uint8_t>& bytes, const std::str
   }
 }
 
+bool is_object_file(const std::string& path) {
+  try {
+    const auto content = library::read_regular_file(path, library::PngLimits::kMaxBytes);
+    return !library::PngReader(content.bytes, library::kTextKey).text().empty();
+  } catch (const std::exception&) {
+    return false;
+  }
+}
+
 ObjectModel read_object_file(const std::string& path) {
   return decode_object(library::read_regular_file(path, library::PngLimits::kMaxBytes).bytes, path);
 }
