@@ -224,12 +224,15 @@ TEST_F(FindCommand, ADisabledObjectIsNamedAsSkipped) {
   EXPECT_FALSE(find({"--json", folder_ / "target.png"}).prints("disabled"));
 }
 
-TEST_F(FindCommand, AnyImageSizeIsSearched) {
+TEST_F(FindCommand, AnyImageSizeIsSearchedWithAWarning) {
   const cv::Mat image = cv::imread(folder_ / "target.png");
   folder_.write("part_of_it.png", image(cv::Rect(60, 30, 230, 190)));
   const ToolRun run = find({"--csv", folder_ / "part_of_it.png"});
   EXPECT_EQ(run.code, 0);
   EXPECT_TRUE(run.prints("part_of_it.png,part,0,")) << run.out;
+  EXPECT_TRUE(run.says("part was learned in images of 320 x 240, this one is 230 x 190"))
+      << run.err;
+  EXPECT_EQ(find({folder_ / "target.png"}).err, "") << "of the lesson's size";
 }
 
 // A JPEG whose orientation says that it should be shown rotated by 90 degrees: coordinates remain

@@ -50,6 +50,10 @@ struct SearchResult {
 /// The names with `most` matches; none if only the best match is requested.
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most);
 
+/// Why an object that was learned in images of another size is not searched for in images of this
+/// `size`; "" if the sizes are equal.
+std::string other_image_size(const ObjectModel& object, cv::Size size);
+
 /// Searches images for a set of objects. A learned point p appears at
 /// (x, y) + R(theta - reference.theta) scale (p - reference).
 /// find() may run in several threads at once; the setters must not run concurrently with it.

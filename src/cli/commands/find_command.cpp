@@ -8,6 +8,7 @@
 #include "cli/library_access.hpp"
 #include "cli/report/match_report.hpp"
 #include "cli/report/overlay_writer.hpp"
+#include "cli/report/search_warnings.hpp"
 #include "cli/settings.hpp"
 #include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
@@ -67,11 +68,6 @@ SearchResult searched(const Matcher& matcher, const std::string& image_path, con
   }
 }
 
-void warn_of_skipped(const std::string& image_path, const SearchResult& result) {
-  for (const auto& reason : result.skipped)
-    std::cerr << "mbncc: warning: " << image_path << ": not searched " << reason << '\n';
-}
-
 ExitCode run(const Arguments& arguments) {
   arguments.at_most_one_of({"--csv", "--json"});
   Settings settings = settings_from(arguments);
@@ -95,6 +91,7 @@ ExitCode run(const Arguments& arguments) {
         SearchResult result = searched(matcher, image_path, image, request);
         keep_named(names, *snapshot, result);
         warn_of_skipped(image_path, result);
+        warn_of_other_size(image_path, image.size(), *snapshot, names);
         report->add(image_path, image.size(), result);
         overlay.write(image_path, image, result.matches);
       } catch (const std::exception& error) {

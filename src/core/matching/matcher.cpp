@@ -27,6 +27,10 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
+std::string text(cv::Size size) {
+  return std::to_string(size.width) + " x " + std::to_string(size.height);
+}
+
 /// Calls work(i) for i in [0, count) on up to `threads` threads; rethrows an exception in the
 /// caller.
 template <class Work>
@@ -260,6 +264,13 @@ std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int m
   for (const auto& match : matches)
     if (++counts[match.name] == most && most > 1) names.push_back(match.name);
   return names;
+}
+
+std::string other_image_size(const ObjectModel& object, cv::Size size) {
+  const cv::Size learned = object.views.front().image_size;
+  if (learned == size) return "";
+  return "learned in images of " + text(learned) + ", this one is " + text(size) +
+         "; teach it again at this size";
 }
 
 Matcher::Matcher(SearchConfig config) : implementation_(std::make_unique<Implementation>()) {

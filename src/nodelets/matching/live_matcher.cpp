@@ -9,10 +9,6 @@
 namespace mbncc::nodelets {
 namespace {
 
-std::string text(cv::Size size) {
-  return std::to_string(size.width) + " x " + std::to_string(size.height);
-}
-
 bool wanted(const std::vector<std::string>& names, const std::string& name) {
   return names.empty() || std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -34,15 +30,14 @@ std::vector<std::string> drop_unfit(const LibrarySnapshot& library,
     if (!library.find(name)) fitting.push_back(name);  // the matcher reports it as unknown
   for (const auto& object : library.objects) {
     if (!wanted(names, object->name) || (names.empty() && !object->enabled)) continue;
-    const cv::Size learned = object->views.front().image_size;
+    const std::string other_size = other_image_size(*object, size);
     const auto fault = unsearchable.find(object->name);
     if (fault != unsearchable.end())
       dropped.push_back(object->name + ": " + fault->second);
-    else if (learned == size)
+    else if (other_size.empty())
       fitting.push_back(object->name);
     else
-      dropped.push_back(object->name + ": learned in images of " + text(learned) +
-                        ", this one is " + text(size) + "; teach it again at this size");
+      dropped.push_back(object->name + ": " + other_size);
   }
   names = fitting;
   return dropped;
