@@ -110,7 +110,7 @@ class Mutator {
                                                 "mutant.PNG",
                                                 "a\nb.png",
                                                 "..png",
-                                                ".tmp-mutant",
+                                                ".mbncc-tmp-mutant",
                                                 "mutant",
                                                 ".trash/victim.4294967295.png",
                                                 ".trash/victim.2000000000.png",

@@ -69,7 +69,7 @@ std::vector<std::string> calls_of(const Change& change) {
 int temporary_files(const std::string& folder) {
   const auto entries = std::filesystem::recursive_directory_iterator(folder);
   return static_cast<int>(std::count_if(begin(entries), end(entries), [](const auto& entry) {
-    return entry.path().filename().string().rfind(".tmp-", 0) == 0;
+    return entry.path().filename().string().rfind(".mbncc-tmp-", 0) == 0;
   }));
 }
 

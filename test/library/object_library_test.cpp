@@ -31,6 +31,17 @@ TEST(ObjectLibrary, CreatesItsFolder) {
   EXPECT_THROW(ObjectLibrary(""), FileError);
 }
 
+TEST(ObjectLibrary, TemporaryFilesOfOtherProgramsStay) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (const char* name : {".tmp-other", ".mbncc-tmp-crash"}) std::ofstream(folder / name) << "x";
+  std::filesystem::create_symlink("elsewhere", folder / ".mbncc-tmp-link");
+  library.save(random_model(1), Existing::kRefuse);
+  EXPECT_TRUE(std::filesystem::exists(folder / ".tmp-other"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / ".mbncc-tmp-link"));
+  EXPECT_FALSE(std::filesystem::exists(folder / ".mbncc-tmp-crash"));
+}
+
 TEST(ObjectLibrary, CreatesTheParentsOfItsFolderToo) {
   TemporaryFolder folder;
   for (const char* path : {"a/b/library", "c/library/"}) {

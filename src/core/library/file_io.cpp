@@ -167,8 +167,13 @@ void try_to_write(const std::string& folder, std::size_t bytes) {
 }
 
 void remove_temporaries(const std::string& folder) {
-  for (const auto& name : entries_of(folder))
-    if (name.rfind(kTemporaryPrefix, 0) == 0) ::unlink((folder + "/" + name).c_str());
+  for (const auto& name : entries_of(folder)) {
+    const std::string path = folder + "/" + name;
+    struct stat status {};
+    if (name.rfind(kTemporaryPrefix, 0) == 0 && ::lstat(path.c_str(), &status) == 0 &&
+        S_ISREG(status.st_mode))
+      ::unlink(path.c_str());
+  }
 }
 
 FolderSync::FolderSync(const std::string& folder)

@@ -70,8 +70,9 @@ struct FileContent {
 /// folder, symbolic link, too large), FileError for a system error.
 FileContent read_regular_file(const std::string& path, std::size_t max_bytes);
 
-/// Prefix of temporary files; those found under the folder's lock are leftovers of a crash.
-constexpr const char* kTemporaryPrefix = ".tmp-";
+/// Prefix of temporary files; those found under the folder's lock are leftovers of a crash. It
+/// names the package, because other programs may keep temporary files in the folder.
+constexpr const char* kTemporaryPrefix = ".mbncc-tmp-";
 
 /// Writes `folder/name` durably and atomically: temporary file, fsync, rename, fsync of the folder.
 /// On failure, the old file is unchanged and no temporary file is left.
