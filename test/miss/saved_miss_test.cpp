@@ -45,6 +45,12 @@ TEST_F(SavedMissTest, IsReadBackWithTheSameExplanation) {
   EXPECT_EQ(lines_of(explain(read), 3), miss_.lines);
 }
 
+TEST_F(SavedMissTest, AnImageMayBeLargerThanAnObjectFile) {
+  miss_.image = cv::Mat(1000, 8400, CV_8UC3, cv::Scalar(90, 120, 130));
+  write_miss(path(), miss_);
+  EXPECT_EQ(read_miss(path()).image.size(), miss_.image.size());
+}
+
 TEST_F(SavedMissTest, BeginsWithTheReasonInWords) {
   write_miss(path(), miss_);
   EXPECT_LT(text().find("part"), text().find("settings:"));

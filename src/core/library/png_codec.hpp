@@ -23,7 +23,7 @@ class PngError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Limits for reading and writing.
+/// Limits of object files.
 struct PngLimits {
   static constexpr int kMaxWidth = 8192;    ///< [px]
   static constexpr int kMaxHeight = 65500;  ///< [px]
@@ -38,17 +38,22 @@ struct PngLimits {
   }
 };
 
+/// Whether images of this size are written and read.
+using SizeLimit = bool (*)(cv::Size);
+
 /// Encodes `rgba` (CV_8UC4, R first) with the UTF-8 `text` under `key`. Throws
 /// std::invalid_argument if a limit is exceeded.
 std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key,
-                                     const std::string& text);
+                                     const std::string& text,
+                                     SizeLimit size_limit = PngLimits::hold);
 
 /// Reads an 8-bit RGBA PNG row by row, so that the caller can check size and text before it
 /// allocates the image. Every member throws PngError.
 class PngReader {
  public:
   /// Reads everything up to the pixels. `bytes` must outlive the reader.
-  PngReader(const std::vector<std::uint8_t>& bytes, const std::string& key);
+  PngReader(const std::vector<std::uint8_t>& bytes, const std::string& key,
+            SizeLimit size_limit = PngLimits::hold);
   ~PngReader();
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
@@ -70,7 +75,7 @@ class PngReader {
   void guarded(Calls&& calls);
   void create();
   void destroy();
-  void check_layout();
+  void check_layout(SizeLimit size_limit);
   void find_text(const std::string& key);
 
   const std::vector<std::uint8_t>& bytes_;

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "library/png_codec.hpp"
+#include "mbncc/image_limits.hpp"
 
 namespace mbncc::library {
 
@@ -31,12 +32,13 @@ void PngReader::guarded(Calls&& calls) {
   calls();
 }
 
-PngReader::PngReader(const std::vector<std::uint8_t>& bytes, const std::string& key)
+PngReader::PngReader(const std::vector<std::uint8_t>& bytes, const std::string& key,
+                     SizeLimit size_limit)
     : bytes_(bytes) {
   create();
   try {
     guarded([this] { png_read_info(png_, info_); });
-    check_layout();
+    check_layout(size_limit);
     find_text(key);
   } catch (...) {
     destroy();
@@ -56,7 +58,7 @@ void PngReader::create() {
     throw std::bad_alloc();
   }
   png_set_read_fn(png_, this, on_read);
-  png_set_user_limits(png_, PngLimits::kMaxWidth, PngLimits::kMaxHeight);
+  png_set_user_limits(png_, ImageLimits::kMostSide, PngLimits::kMaxHeight);
   png_set_chunk_malloc_max(png_, 4 * PngLimits::kMaxText);
   png_set_chunk_cache_max(png_, 16);
   png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
@@ -67,10 +69,10 @@ void PngReader::destroy() {
   png_destroy_read_struct(&png_, &info_, nullptr);
 }
 
-void PngReader::check_layout() {
+void PngReader::check_layout(SizeLimit size_limit) {
   size_ = cv::Size(static_cast<int>(png_get_image_width(png_, info_)),
                    static_cast<int>(png_get_image_height(png_, info_)));
-  if (!PngLimits::hold(size_)) throw PngError("the image is too large");
+  if (!size_limit(size_)) throw PngError("the image is too large");
   if (png_get_bit_depth(png_, info_) != 8 ||
       png_get_color_type(png_, info_) != PNG_COLOR_TYPE_RGB_ALPHA ||
       png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE)

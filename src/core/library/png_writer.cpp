@@ -65,9 +65,9 @@ void write_all(png_structp png, png_infop info, const cv::Mat& rgba, png_text* t
 }  // namespace
 
 std::vector<std::uint8_t> encode_png(const cv::Mat& rgba, const std::string& key,
-                                     const std::string& text) {
-  if (rgba.type() != CV_8UC4 || !PngLimits::hold(rgba.size()) || text.size() > PngLimits::kMaxText)
-    throw std::invalid_argument("the object is too large to be stored in one file");
+                                     const std::string& text, SizeLimit size_limit) {
+  if (rgba.type() != CV_8UC4 || !size_limit(rgba.size()) || text.size() > PngLimits::kMaxText)
+    throw std::invalid_argument("the image is too large to be stored in one file");
   Sink sink;
   Writer writer(sink);
   if (writer.info == nullptr) throw std::bad_alloc();

@@ -10,6 +10,7 @@
 #include "library/file_io.hpp"
 #include "library/png_codec.hpp"
 #include "mbncc/config/field.hpp"
+#include "mbncc/image_limits.hpp"
 #include "mbncc/library/object_file.hpp"
 
 namespace mbncc {
@@ -31,11 +32,11 @@ std::vector<std::uint8_t> bytes_of(const YAML::Node& node) {
 std::vector<std::uint8_t> encode(const cv::Mat& image) {
   cv::Mat rgba;
   cv::cvtColor(image, rgba, cv::COLOR_BGR2RGBA);
-  return library::encode_png(rgba, kVersionKey, kNoText);
+  return library::encode_png(rgba, kVersionKey, kNoText, ImageLimits::hold);
 }
 
 cv::Mat decode(const std::vector<std::uint8_t>& bytes) {
-  library::PngReader reader(bytes, kVersionKey);
+  library::PngReader reader(bytes, kVersionKey, ImageLimits::hold);
   cv::Mat rgba(reader.size(), CV_8UC4), image;
   for (int y = 0; y < rgba.rows; ++y) reader.read_row(rgba.ptr(y));
   reader.finish();
