@@ -79,8 +79,16 @@ TEST_F(MatcherTest, ReportsThatMaxInstancesIsReached) {
     request.max_instances = most;
     const SearchResult result = matcher().find(scene, request);
     EXPECT_EQ(result.matches.size(), std::min<std::size_t>(most, 3)) << most;
-    EXPECT_EQ(result.limited.size(), most == 2 || most == 3 ? 1u : 0u) << most;
+    EXPECT_EQ(result.limited.size(), most <= 3 ? 1u : 0u) << most;
   }
+}
+
+TEST_F(MatcherTest, TheOnlyInstanceIsNotLimited) {
+  cv::Mat scene(240, 420, CV_8UC3, cv::Scalar(90, 120, 130));
+  place(scene, source_, reference_.position(), {210, 120, 2.1});
+  SearchRequest request;
+  request.max_instances = 1;
+  EXPECT_TRUE(matcher().find(scene, request).limited.empty());
 }
 
 TEST_F(MatcherTest, FindsThirtyInstances) {

@@ -39,7 +39,7 @@ struct SearchResult {
   std::vector<Match> matches;         ///< best score first
   std::vector<std::string> searched;  ///< names that were searched
   std::vector<std::string> skipped;   ///< "name: reason"
-  std::vector<std::string> limited;   ///< names with max_instances matches; there may be more
+  std::vector<std::string> limited;   ///< names of which there may be more, see names_at_limit()
   std::vector<Rival> rivals;          ///< all candidates that are not among the matches
   std::map<std::string, double>
       clutter;  ///< by name: log-odds subtracted from scores because of look-alikes elsewhere
@@ -47,7 +47,8 @@ struct SearchResult {
   double search_time = 0;  ///< [s] wall time, without preparation of objects
 };
 
-/// The names with `most` matches; none if only the best match is requested.
+/// The names with `most` matches; if only the best match is requested, those that probably lie
+/// at another place, too.
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most);
 
 /// Why an object that was learned in images of another size is not searched for in images of this

@@ -258,11 +258,19 @@ void doubt_without_comparison(const ObjectList& objects, const SearchState& find
   }
 }
 
+/// Whether the object lies at another place as well, more likely than not.
+bool is_likely_elsewhere(const Match& match) {
+  return std::any_of(
+      match.competitors.begin(), match.competitors.end(),
+      [&](const Competitor& one) { return one.name == match.name && one.log_odds > 0; });
+}
+
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
   std::map<std::string, int> counts;
   std::vector<std::string> names;
   for (const auto& match : matches)
-    if (++counts[match.name] == most && most > 1) names.push_back(match.name);
+    if (++counts[match.name] == most && (most > 1 || is_likely_elsewhere(match)))
+      names.push_back(match.name);
   return names;
 }
 
