@@ -277,7 +277,7 @@ TEST(LearnCommand, OutputFoldersThatAreFilesAreRefused) {
   for (const char* inside : {"map.png", "map.png/deeper"}) {
     const ToolRun run = run_tool(folder.lesson("part") + Words{"--stages", folder / inside});
     EXPECT_EQ(run.code, 1);
-    EXPECT_TRUE(run.says(folder / "map.png: is a file; give a folder")) << run.err;
+    EXPECT_TRUE(run.says(folder / "map.png: is a file; give a folder.\n")) << run.err;
     EXPECT_FALSE(run.says("wrote")) << run.err;
   }
   const ToolRun written = run_tool(folder.lesson("part") + Words{"--stages", folder / "stages"});

@@ -17,9 +17,9 @@ namespace mbncc {
 struct Refusal {
   LearnError error = LearnError::kInternal;
   std::string message;  ///< what happened, one sentence
-  std::string hint;     ///< what to do about it, one sentence
+  std::string hint;     ///< what to do about it, one sentence; "": the message says it
 
-  /// Empty texts default to those of `error`.
+  /// Empty texts are replaced by those of `error`.
   explicit Refusal(LearnError error, const std::string& message = "", const std::string& hint = "");
 
   /// Converts an exception of the library into a refusal.

@@ -130,6 +130,9 @@ TEST(LibraryRefusal, NameErrorsAreReportedForNamesOnly) {
   const Refusal broken = refusal_by([] { throw FileError("cup.png", "No space left on device"); });
   EXPECT_EQ(broken.error, LearnError::kStorage);
   EXPECT_NE(broken.hint.find("disk space"), std::string::npos);
+  const Refusal told = refusal_by([] { throw FileError("cup", "is a file; give a folder"); });
+  EXPECT_EQ(told.error, LearnError::kStorage);
+  EXPECT_EQ(told.hint, "") << "the message says what to do";
   EXPECT_EQ(refusal_by([] { throw std::logic_error("a bug"); }).error, LearnError::kInternal);
 }
 

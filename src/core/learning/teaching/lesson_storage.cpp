@@ -37,11 +37,13 @@ LearnError code_of(const std::exception& failure) {
   return expected ? LearnError::kStorage : LearnError::kInternal;
 }
 
-// The default hint of kStorage concerns the folder, not an object that is too large for a file.
+// The default hint of kStorage concerns the folder, not an object that is too large for a file, nor
+// an error whose message says after a semicolon what to do.
 std::string hint_for(const std::exception& failure) {
   const LearnError code = code_of(failure);
-  if (code != LearnError::kStorage || dynamic_cast<const FileError*>(&failure) != nullptr)
-    return hint_of(code);
+  if (code != LearnError::kStorage) return hint_of(code);
+  if (const auto* file = dynamic_cast<const FileError*>(&failure))
+    return file->reason().find("; ") == std::string::npos ? hint_of(code) : "";
   return "Teach fewer or smaller views, or replace the object by overwrite; the library itself is "
          "unchanged.";
 }
@@ -54,7 +56,9 @@ Refusal::Refusal(LearnError error, const std::string& message, const std::string
       hint(hint.empty() ? hint_of(error) : hint) {}
 
 Refusal::Refusal(const std::exception& failure)
-    : Refusal(code_of(failure), std::string(failure.what()) + ".", hint_for(failure)) {}
+    : error(code_of(failure)),
+      message(std::string(failure.what()) + "."),
+      hint(hint_for(failure)) {}
 
 std::optional<Refusal> check_storing(const Lesson& lesson, Storing storing,
                                      const LibrarySnapshot& library) {
