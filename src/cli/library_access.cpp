@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/library_access.hpp"
 
-#include <cstdlib>
 #include <filesystem>
 #include <iostream>
 #include <stdexcept>
@@ -9,6 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/settings.hpp"
 #include "mbncc/error.hpp"
+#include "mbncc/home_folder.hpp"
 
 namespace mbncc::cli {
 
@@ -26,11 +26,8 @@ Option json_option() {
 }
 
 std::string library_folder(const Arguments& arguments) {
-  if (arguments.has("--library")) return arguments.get("--library");
-  const std::string folder = settings_from(arguments).learning.library_path;
-  const char* home = std::getenv("HOME");
-  const bool at_home = folder.rfind("~/", 0) == 0 && home != nullptr;
-  return at_home ? home + folder.substr(1) : folder;
+  return expand_home(arguments.has("--library") ? arguments.get("--library")
+                                                : settings_from(arguments).learning.library_path);
 }
 
 ObjectLibrary existing_library(const Arguments& arguments) {

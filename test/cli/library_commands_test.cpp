@@ -68,6 +68,19 @@ TEST_F(LibraryCommands, AnObjectIsNotReplacedByAnImage) {
   EXPECT_EQ(on_library("map", {"--name", "part", "--out", map}).code, 0) << "an image is replaced";
 }
 
+TEST_F(LibraryCommands, WithoutHomeNoFolderNamedTildeIsMade) {
+  const char* home = std::getenv("HOME");
+  const std::string kept = home == nullptr ? "" : home;
+  ::unsetenv("HOME");
+  const ToolRun run = run_tool({"list"});
+  ::setenv("HOME", folder_.path().c_str(), 1);
+  const ToolRun at_home = run_tool({"list", "--set", "library_path=~/library"});
+  ::setenv("HOME", kept.c_str(), 1);
+  EXPECT_EQ(run.code, 1);
+  EXPECT_TRUE(run.says("HOME is not set; give --library")) << run.err;
+  EXPECT_TRUE(at_home.prints("part")) << at_home.err;
+}
+
 TEST_F(LibraryCommands, ListAndShowDescribeObjects) {
   EXPECT_TRUE(on_library("list").prints("part"));
   EXPECT_TRUE(on_library("list").prints("none (auto)")) << "nothing is declared";

@@ -15,6 +15,7 @@
 #include "mbncc/config/matching_node_config.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/health_tasks.hpp"
+#include "mbncc/home_folder.hpp"
 #include "mbncc/label.hpp"
 #include "nodelets/common/camera_input.hpp"
 #include "nodelets/common/guarded_nodelet.hpp"

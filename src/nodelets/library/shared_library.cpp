@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nodelets/library/shared_library.hpp"
 
-#include <cstdlib>
 #include <utility>
 
-namespace mbncc::nodelets {
+#include "mbncc/home_folder.hpp"
 
-std::string expand_home(const std::string& path) {
-  const char* home = std::getenv("HOME");
-  const bool at_home = path == "~" || path.rfind("~/", 0) == 0;
-  if (!at_home || home == nullptr) return path;
-  return home + path.substr(1);
-}
+namespace mbncc::nodelets {
 
 SharedLibrary::SharedLibrary(const std::string& path, Listener listener)
     : library_(expand_home(path)), listener_(std::move(listener)) {

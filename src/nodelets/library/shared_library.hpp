@@ -11,9 +11,6 @@
 
 namespace mbncc::nodelets {
 
-/// `path` with a leading "~" replaced by the home folder.
-std::string expand_home(const std::string& path);
-
 class SharedLibrary {
  public:
   using Snapshot = std::shared_ptr<const LibrarySnapshot>;
