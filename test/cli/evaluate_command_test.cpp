@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <yaml-cpp/yaml.h>
 
+#include <filesystem>
+
 #include "cli/tool.hpp"
 
 namespace mbncc::test {
@@ -34,7 +36,7 @@ TEST_F(EvaluateCommand, CountsDetections) {
 
 TEST_F(EvaluateCommand, WritesAPageWithImagesOfFaults) {
   const ToolRun run =
-      evaluate("image,x,y\ntarget.png,30,30\n", {"--page", folder_ / "page", "--json"});
+      evaluate("image,x,y,theta_deg\ntarget.png,30,30,0\n", {"--page", folder_ / "page", "--json"});
   EXPECT_EQ(run.code, 0) << run.err;
   EXPECT_TRUE(run.says("wrote " + (folder_ / "page/index.html")));
   const std::string page = content_of_file(folder_ / "page/index.html");
@@ -52,8 +54,53 @@ TEST_F(EvaluateCommand, AWrongTruthFileIsExplained) {
   EXPECT_TRUE(evaluate("x,y\n").says("no column 'image'"));
   EXPECT_TRUE(
       evaluate("image,x,y\ntarget.png,12,left\n").says("line 2: y is not a number: 'left'"));
-  EXPECT_TRUE(evaluate("image,name,x,y\ntarget.png,nut,1,2\n").says("no object 'nut'"));
+  EXPECT_TRUE(evaluate("image,name,x,y,theta_deg\ntarget.png,nut,1,2,3\n").says("no object 'nut'"));
   EXPECT_EQ(evaluate("").code, 1);
+}
+
+TEST_F(EvaluateCommand, AnAngleIsNotTakenToBeZero) {
+  for (const char* truth :
+       {"image,x,y\ntarget.png,195,125\n", "image,x,y,theta_deg\ntarget.png,195,125,\n"}) {
+    const ToolRun run = evaluate(truth);
+    EXPECT_EQ(run.code, 1);
+    EXPECT_TRUE(run.says("line 2 has no theta_deg; give the angle in degrees")) << run.err;
+  }
+}
+
+TEST_F(EvaluateCommand, ImagesOfTheSameNameInTwoFoldersAreKeptApart) {
+  for (const std::string name : {"s1", "s2"}) std::filesystem::create_directory(folder_ / name);
+  folder_.write("s1/x.png", cv::imread(folder_ / "target.png"));
+  folder_.write("s2/x.png", cv::imread(folder_ / "empty.png"));
+  const auto instances_in = [&](const std::string& truth) {
+    std::ofstream(folder_ / "truth.csv") << truth;
+    const ToolRun run =
+        run_tool({"evaluate", "--library", folder_.library(), "--truth", folder_ / "truth.csv",
+                  "--json", folder_ / "s1", folder_ / "s2/x.png"});
+    EXPECT_FALSE(run.says("not given")) << run.err;
+    const auto lines = split(run.out, '\n');
+    EXPECT_EQ(lines.size(), 3u) << run.out;
+    return YAML::Load(lines.back())["instances"].as<int>();
+  };
+  const std::string header = "image,x,y,theta_deg\n";
+  EXPECT_EQ(instances_in(header + "s1/x.png,195,125,70\n./s2/x.png,,,\n"), 1);
+  EXPECT_EQ(instances_in(header + (folder_ / "s1/x.png") + ",195,125,70\nx.png,,,\n"), 1);
+  EXPECT_EQ(instances_in(header + "x.png,195,125,70\n"), 2) << "a name alone is that of both";
+}
+
+TEST_F(EvaluateCommand, ImagesOfAnotherSizeAreReported) {
+  folder_.write("target.png", cv::imread(folder_ / "target.png")(cv::Rect(60, 30, 230, 190)));
+  const ToolRun run = evaluate("image,x,y,theta_deg\ntarget.png,135,95,70\n");
+  EXPECT_TRUE(run.prints("recall: 100.0 %")) << run.out;
+  EXPECT_TRUE(
+      run.says("target.png: part was learned in images of 320 x 240, this one is 230 x 190"))
+      << run.err;
+  EXPECT_FALSE(run.says("empty.png")) << run.err;
+}
+
+TEST_F(EvaluateCommand, SkippedObjectsAreReported) {
+  ASSERT_EQ(run_tool(folder_.lesson("twin")).code, 0);
+  const ToolRun run = evaluate(kRight, {"--set", "time_budget=1e-9"});
+  EXPECT_TRUE(run.says("target.png: not searched twin: time budget exceeded")) << run.err;
 }
 
 TEST_F(EvaluateCommand, SharesOfNothingAreNotNumbers) {

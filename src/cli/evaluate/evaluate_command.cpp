@@ -11,6 +11,7 @@
 #include "cli/library_access.hpp"
 #include "cli/report/json_writer.hpp"
 #include "cli/report/numbers.hpp"
+#include "cli/report/search_warnings.hpp"
 #include "cli/settings.hpp"
 #include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
@@ -34,7 +35,7 @@ std::vector<std::string> images_of(const std::vector<std::string>& operands, con
     }
     std::vector<std::string> inside;
     for (const auto& entry : std::filesystem::directory_iterator(operand))
-      if (is_image(entry.path()) && truth.count(entry.path().filename().string()) > 0)
+      if (is_image(entry.path()) && entry_of(truth, entry.path().string()) != truth.end())
         inside.push_back(entry.path().string());
     if (inside.empty()) throw FileError(operand, "none of its images is listed by --truth");
     std::sort(inside.begin(), inside.end());
@@ -46,7 +47,10 @@ std::vector<std::string> images_of(const std::vector<std::string>& operands, con
 /// Images that `truth` lists but that were not given, sorted.
 std::vector<std::string> not_given(const Truth& truth, const std::vector<std::string>& images) {
   std::set<std::string> given;
-  for (const auto& image : images) given.insert(std::filesystem::path(image).filename().string());
+  for (const auto& image : images) {
+    const auto entry = entry_of(truth, image);
+    if (entry != truth.end()) given.insert(entry->first);
+  }
   std::vector<std::string> missing;
   for (const auto& [image_path, instances] : truth)
     if (given.count(image_path) == 0) missing.push_back(image_path);
@@ -146,7 +150,9 @@ ExitCode run(const Arguments& arguments) {
       try {
         const cv::Mat image = read_image(image_path);
         const SearchResult found = matcher.find(image);
-        const auto listed = truth.find(std::filesystem::path(image_path).filename().string());
+        warn_of_skipped(image_path, found);
+        warn_of_other_size(image_path, image.size(), *snapshot, {});
+        const auto listed = entry_of(truth, image_path);
         const Comparison comparison =
             compare(listed == truth.end() ? std::vector<TrueInstance>{} : listed->second,
                     found.matches, tolerance);

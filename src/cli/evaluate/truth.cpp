@@ -53,7 +53,11 @@ class Columns {
 
   double number(const std::vector<std::string>& row, const std::string& name, int line) const {
     const std::string value = text(row, name);
-    if (value.empty() && name == "theta_deg") return 0;
+    // An angle that was taken to be 0 would make right detections wrong.
+    if (value.empty() && name == "theta_deg")
+      throw FileError(path_, "line " + std::to_string(line) +
+                                 " has no theta_deg; give the angle in degrees, 0 for a round "
+                                 "object");
     try {
       std::size_t used = 0;
       const double number = std::stod(value, &used);
@@ -71,6 +75,17 @@ class Columns {
 
 }  // namespace
 
+Truth::const_iterator entry_of(const Truth& truth, const std::string& image_path) {
+  const auto path = std::filesystem::absolute(image_path).lexically_normal();
+  for (auto first = path.begin(); first != path.end(); ++first) {
+    std::filesystem::path rest;
+    for (auto part = first; part != path.end(); ++part) rest /= *part;
+    const auto entry = truth.find(rest.string());
+    if (entry != truth.end()) return entry;
+  }
+  return truth.end();
+}
+
 Truth read_truth(const std::string& path) {
   std::ifstream file(path);
   std::string line;
@@ -83,7 +98,8 @@ Truth read_truth(const std::string& path) {
   for (int number = 2; std::getline(file, line); ++number) {
     const auto row = cells_of(line);
     if (row.empty()) continue;
-    auto& instances = truth[std::filesystem::path(columns.text(row, "image")).filename().string()];
+    const std::filesystem::path image = columns.text(row, "image");
+    auto& instances = truth[image.lexically_normal().string()];
     if (columns.text(row, "x").empty()) continue;
     instances.push_back({columns.text(row, "name"),
                          {columns.number(row, "x", number), columns.number(row, "y", number),
