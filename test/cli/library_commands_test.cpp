@@ -160,7 +160,7 @@ TEST_F(LibraryCommands, CheckRepairsFromTheTrashAndReportsIt) {
   for (const char* name : {"part", "stranger"}) damage(name);
   const ToolRun check = on_library("check", {"--repair"});
   EXPECT_EQ(check.code, 1) << "the quarantine is not empty";
-  EXPECT_TRUE(check.prints("brought 'part' from the trash as revision 2")) << check.out;
+  EXPECT_TRUE(check.prints("brought 'part' from the trash as revision 3")) << check.out;
   EXPECT_TRUE(check.prints("1 readable, 2 unreadable")) << check.out;
   EXPECT_TRUE(check.says("'stranger' cannot be restored: ")) << check.err;
   EXPECT_TRUE(on_library("list").prints("part"));

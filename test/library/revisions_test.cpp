@@ -24,6 +24,32 @@ TEST(ObjectLibrary, RevisionNumbersAreNeverReused) {
   EXPECT_EQ(library.save(random_model(2), Existing::kRefuse).revision, 2u);
 }
 
+TEST(ObjectLibrary, RevisionNumbersAreNotReusedAfterAQuarantine) {
+  // Of the whole description, and of nothing, is left.
+  for (const int left : {4000, 100}) {
+    TemporaryFolder folder;
+    ObjectLibrary library(folder.path());
+    for (unsigned seed : {1, 2, 3}) library.save(random_model(seed), Existing::kReplace);
+    ASSERT_GT(std::filesystem::file_size(folder / "wrench.png"), 4000u);
+    std::filesystem::resize_file(folder / "wrench.png", left);
+    settle(folder / "wrench.png");
+    EXPECT_EQ(library.load()->quarantined.size(), 1u);
+    EXPECT_EQ(library.save(random_model(4), Existing::kRefuse).revision, 4u) << left;
+    EXPECT_EQ(library.save(random_model(5), Existing::kReplace).revision, 5u) << left;
+  }
+}
+
+TEST(ObjectLibrary, ADescriptionInTheQuarantineTellsTheRevisionWithoutATrash) {
+  TemporaryFolder folder;
+  ObjectLibrary library(folder.path());
+  for (unsigned seed : {1, 2, 3}) library.save(random_model(seed), Existing::kReplace);
+  std::filesystem::remove_all(folder / ".trash");
+  std::filesystem::resize_file(folder / "wrench.png", 4000);
+  settle(folder / "wrench.png");
+  library.load();
+  EXPECT_EQ(library.save(random_model(4), Existing::kRefuse).revision, 4u);
+}
+
 TEST(ObjectLibrary, RenameToAUsedNameTakesANewRevision) {
   TemporaryFolder folder;
   ObjectLibrary library(folder.path());

@@ -71,6 +71,30 @@ std::uint32_t revision_in(const std::string& file, const std::string& name) {
   return given ? revision : 0;
 }
 
+/// Revision in the description of a damaged file; 0 if the description is damaged as well.
+std::uint32_t revision_described_in(const std::string& path) {
+  try {
+    const auto content = read_regular_file(path, PngLimits::kMaxBytes);
+    return read_description(PngReader(content.bytes, kTextKey).text()).model.revision;
+  } catch (const std::exception&) {
+    return 0;
+  }
+}
+
+/// The largest revision of `name` that the quarantine holds. `known`: the largest other one, which
+/// a file without a readable description is taken to have followed.
+std::uint32_t largest_quarantined(const LibraryFolder& folder, const std::string& name,
+                                  std::uint32_t known) {
+  std::uint32_t largest = 0, unknown = 0;
+  for (const auto& quarantined : quarantined_files(folder)) {
+    if (quarantined.file.substr(0, quarantined.file.find('.')) != name) continue;
+    const auto revision = revision_described_in(folder.quarantine() + "/" + quarantined.file);
+    largest = std::max(largest, revision);
+    if (revision == 0) ++unknown;
+  }
+  return std::min(std::max(largest, known) + unknown, kMaxRevision);
+}
+
 std::string reason_beside(const std::string& path) {
   try {
     const auto bytes = read_regular_file(path + kReasonEnding, kMaxReason).bytes;
@@ -169,7 +193,10 @@ std::uint32_t LockedFolder::next_revision(const std::string& name,
                                           const ObjectModel* stored) const {
   const auto trashed = trashed_revisions(folder_, name);
   const std::uint32_t last = stored == nullptr ? 0 : stored->revision;
-  const std::uint32_t largest = std::max(last, trashed.empty() ? 0 : trashed.rbegin()->first);
+  const std::uint32_t known = std::max(last, trashed.empty() ? 0 : trashed.rbegin()->first);
+  // A stored object has followed the quarantined ones.
+  const std::uint32_t largest =
+      stored != nullptr ? known : largest_quarantined(folder_, name, known);
   if (largest < kMaxRevision) return largest + 1;
   // Regular use does not reach this number. A foreign file must not block the name, so the smallest
   // free revision is used.

@@ -68,8 +68,8 @@ class LockedFolder {
   /// complete yet.
   std::unique_ptr<ObjectModel> read(const std::string& name);
 
-  /// One above every revision of `name`: that of `stored` (may be null) and those in the trash. The
-  /// smallest free revision if the result would exceed the limit.
+  /// One above every revision of `name`: that of `stored` (may be null), those in the trash and
+  /// those in the quarantine. The smallest free revision if the result would exceed the limit.
   std::uint32_t next_revision(const std::string& name, const ObjectModel* stored) const;
 
   /// Stores the model as it is. With `keep_old`, the file that it replaces is moved to the trash
