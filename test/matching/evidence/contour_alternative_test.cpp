@@ -5,6 +5,7 @@
 
 #include "matching/decision/detection.hpp"
 #include "matching/evidence/contour_alignment.hpp"
+#include "matching/evidence/tool_fixture.hpp"
 #include "matching/matcher_fixture.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/verification.hpp"
@@ -110,6 +111,37 @@ TEST_F(ContourAlternativeTest, ASurfaceMatchAgainstTheContourIsNeverGraspable) {
     EXPECT_EQ(matches[0].graspable, off == cv::Point2d()) << off;
   }
   EXPECT_GT(found, 0) << "the surface convinces";
+}
+
+class DisplacedEndTest : public test::ToolTest {
+ protected:
+  static constexpr int kLength = 150, kWidth = 16;
+
+  /// A plain bar, `longer` [px] at its right end.
+  static cv::Mat image_of(int longer, std::uint64_t seed) {
+    cv::Mat image(150, 320, CV_8UC3, test::kTable);
+    image(cv::Rect(75, 60, kLength + longer, kWidth)) = test::kSteel;
+    add_noise(image, seed);
+    return image;
+  }
+
+  static double advantage_in(const cv::Mat& image) {
+    cv::Mat map = cv::Mat::zeros(150, 320, CV_8UC1);
+    map(cv::Rect(75, 60, kLength, kWidth)) = 255;
+    const prepared::PreparedObject object(object_of(image_of(0, 1), map), prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    const Pose2D anchor = compose({150, 72, 0}, inverse(view.reference_in_anchor));
+    return advantage_of_displaced_end(view.fine.contour, scene::SceneLevel(image, 0), anchor, 1);
+  }
+};
+
+TEST_F(DisplacedEndTest, TheTaughtLengthFitsBest) {
+  EXPECT_LT(advantage_in(image_of(0, 2)), 0);
+}
+
+TEST_F(DisplacedEndTest, AnotherLengthIsReported) {
+  for (const int longer : {-24, -10, 9, 15, 28})
+    EXPECT_GT(advantage_in(image_of(longer, 2)), kOtherLength + 0.1) << longer;
 }
 
 }  // namespace

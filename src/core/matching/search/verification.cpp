@@ -266,7 +266,7 @@ bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage&
 
 /// Computes what is tested for the best pose of a place only: details of the print, parts beyond
 /// the outline or absent inside it, the advantage of the outline at nearby places, because shading
-/// displaces a plain surface by pixels, and whether the pose is torn.
+/// displaces a plain surface by pixels, and of its ends, and whether the pose is torn.
 void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
              decision::Detection& detection) {
   const scene::SceneLevel& level = scene.levels[0];
@@ -284,6 +284,8 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   detection.continued = missing.continued;
   detection.absent = missing.absent;
   detection.contour_alternative = evidence::advantage_elsewhere(contour, level, pose, scale);
+  detection.size_alternative |=
+      evidence::advantage_of_displaced_end(contour, level, pose, scale) > evidence::kOtherLength;
   detection.torn = is_torn(contour, scene, detection);
 }
 
