@@ -7,27 +7,28 @@
 
 #include "mbncc/config/search_config.hpp"
 #include "mbncc/learning/lesson_storage.hpp"
+#include "mbncc/matching/match.hpp"
 #include "mbncc/object_model.hpp"
 
 namespace mbncc {
 
-/// Pose of the stored object's frame in `image`, the learning image of `view`. `image` is searched
-/// for the object, which counts as found if its outline overlaps the view's map with an IoU of at
-/// least 0.5, so all views of an object share one frame. None if it is not found, because the views
-/// have too little in common.
-std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
-                                       const cv::Mat& image, const SearchConfig& search = {});
+/// The match of the stored object in `image`, the learning image of `view`, whose outline overlaps
+/// the view's map most, with an IoU of at least 0.5; its pose is that of the object's frame. None
+/// if it is not found, because the views have too little in common.
+std::optional<Match> match_in_view(const ObjectModel& stored, const View& view,
+                                   const cv::Mat& image, const SearchConfig& search = {});
 
 /// Adds the view of `learned`, taught from `image`, to `stored`, in the stored object's frame and
-/// at its height; the verdict is that of the newest view. Refuses and leaves `stored` unchanged if
-/// the stored object is not found in the image or already has this view.
+/// at its height; the verdict is that of the newest view, but at best MARGINAL ("view_uncertain")
+/// if the stored object is not graspable in the image. Refuses and leaves `stored` unchanged if the
+/// stored object is not found in the image, or at two angles, or already has this view.
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
                                 const cv::Mat& image, const SearchConfig& search = {});
 
-/// If add_view() would refuse the view, the verdict becomes BAD for the reason "view_refused", with
-/// the refusal's message and hint as the first advice, so that the operator reads them before
-/// correcting the view. Returns the refusal.
-std::optional<Refusal> note_refused_view(ObjectModel& learned, const ObjectModel& stored,
-                                         const cv::Mat& image, const SearchConfig& search = {});
+/// Gives `learned` the verdict that add_view() would, so that the operator reads it before
+/// correcting the view: BAD for the reason "view_refused", with the refusal's message and hint as
+/// the first advice, if it would refuse. Returns the refusal.
+std::optional<Refusal> try_view(ObjectModel& learned, const ObjectModel& stored,
+                                const cv::Mat& image, const SearchConfig& search = {});
 
 }  // namespace mbncc

@@ -117,18 +117,17 @@ void LessonDraft::update() {
   feedback_.set_place(place_of(learned_.object.views.front()));
   note_resemblance(learned_.object, images_.before().image, tools_.library.snapshot()->objects,
                    tools_.search);
-  if (goal_.add_view) note_refused_further_view();
+  if (goal_.add_view) try_further_view();
   feedback_.leave_if_interrupted();
   tools_.display.show_preview(preview_of(learned_.object, images_.before().image));
   tools_.display.show_draft(outcome(learned_, images_.before()));
   tools_.display.show_score_map(learned_.object, images_.before().image, tools_.search);
 }
 
-void LessonDraft::note_refused_further_view() {
+void LessonDraft::try_further_view() {
   const auto stored = tools_.library.snapshot()->find(name_);
   if (!stored) return;
-  const auto refusal =
-      note_refused_view(learned_.object, *stored, images_.before().image, tools_.search);
+  const auto refusal = try_view(learned_.object, *stored, images_.before().image, tools_.search);
   if (!refusal) return;
   view_refused_ = true;
   learned_.error = refusal->error;

@@ -55,7 +55,7 @@ class LessonDraft {
   Lesson lesson() const;
   StageObserver observer();
   void update();
-  void note_refused_further_view();
+  void try_further_view();
 
   const mbncc_vision::LearnObjectGoal& goal_;
   const std::string name_;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "learning/images.hpp"
 #include "library/models.hpp"
 #include "mbncc/learning/further_view.hpp"
 #include "mbncc/sim/scene.hpp"
@@ -207,15 +208,65 @@ TEST_F(AddView, ARefusalIsReportedBeforeConfirmation) {
   const ObjectModel stored = learned(first, scene_.render({first}, 1));
   const cv::Mat wrong = scene_.render({other}, 2), right = scene_.render({moved}, 3);
   ObjectModel lesson = learned(other, wrong);
-  EXPECT_TRUE(note_refused_view(lesson, stored, wrong));
+  EXPECT_TRUE(try_view(lesson, stored, wrong));
   EXPECT_EQ(lesson.quality.verdict, Verdict::kBad);
   EXPECT_EQ(lesson.quality.reasons, std::vector<std::string>{"view_refused"});
   EXPECT_NE(lesson.quality.advice.at(0).find("was not found in the new image"), std::string::npos);
   lesson = learned(moved, right);
-  EXPECT_FALSE(note_refused_view(lesson, stored, right));
+  EXPECT_FALSE(try_view(lesson, stored, right));
   EXPECT_EQ(lesson.quality.verdict, Verdict::kGood);
   EXPECT_TRUE(lesson.quality.advice.empty());
   EXPECT_EQ(stored.views.size(), 1u);
+}
+
+/// A bar in `image`, 120 px long and `longer`, at 30 degrees if `rotated`; its mark at one end
+/// differs by `mark` grey levels.
+ObjectModel bar(cv::Mat& image, bool rotated, double mark, int longer = 0) {
+  const auto drawn = [&](const cv::Rect& box, cv::Scalar colour, cv::Mat& on) {
+    const double angle = rotated ? to_radians(30) : 0;
+    std::vector<cv::Point> corners;
+    for (const cv::Point2d p : {cv::Point2d(box.x, box.y), cv::Point2d(box.x, box.br().y),
+                                cv::Point2d(box.br()), cv::Point2d(box.br().x, box.y)}) {
+      const cv::Point2d at = cv::Point2d(160, 120) + rotate(p, angle);
+      corners.emplace_back(cvRound(at.x), cvRound(at.y));
+    }
+    cv::fillPoly(on, std::vector<std::vector<cv::Point>>{corners}, colour, cv::LINE_AA);
+  };
+  cv::Mat radiance(240, 320, CV_8UC3, cv::Scalar(150, 150, 150));
+  cv::Mat map = cv::Mat::zeros(radiance.size(), CV_8UC1);
+  const cv::Rect body(-60, -15, 120 + longer, 30);
+  const cv::Scalar red(40, 60, 170);
+  drawn(body, red, radiance);
+  drawn(body, cv::Scalar(255), map);
+  drawn({25, -9, 22, 18}, red + cv::Scalar::all(mark), radiance);
+  radiance.convertTo(radiance, CV_32F);
+  image = exposed(radiance, rotated ? 2 : 1);
+  ObjectModel model;
+  model.name = model.label = "bar";
+  model.views = {crop_view(image, map > 127, {160, 120, 0})};
+  return model;
+}
+
+TEST(AddViewOfABar, AtTwoAnglesIsRefused) {
+  cv::Mat before, later;
+  ObjectModel stored = bar(before, false, 20);
+  const ObjectModel lesson = bar(later, true, 0);
+  const auto refusal = add_view(stored, lesson, later);
+  ASSERT_TRUE(refusal);
+  EXPECT_EQ(refusal->error, LearnError::kNotDistinct);
+  EXPECT_NE(refusal->message.find("two angles"), std::string::npos);
+  EXPECT_EQ(stored.views.size(), 1u);
+}
+
+TEST(AddViewOfABar, ThatIsNotGraspableIsMarginal) {
+  cv::Mat before, same, longer;
+  const ObjectModel stored = bar(before, false, 80);
+  ObjectModel right = bar(same, true, 80), wrong = bar(longer, true, 80, 14);
+  EXPECT_FALSE(try_view(right, stored, same));
+  EXPECT_EQ(right.quality.verdict, Verdict::kGood);
+  EXPECT_FALSE(try_view(wrong, stored, longer));
+  EXPECT_EQ(wrong.quality.verdict, Verdict::kMarginal);
+  EXPECT_EQ(wrong.quality.reasons, std::vector<std::string>{"view_uncertain"});
 }
 
 }  // namespace

@@ -36,11 +36,11 @@ TEST(Resemblance, ViewsOfOneObjectGetOneFrame) {
   const ObjectModel stored = learned("part", first, before);
   View view = learned("part", second, later).views[0];
   view.reference = {};
-  const auto reference = shared_reference(stored, view, later);
-  ASSERT_TRUE(reference);
-  EXPECT_NEAR(reference->x, 420, 1);
-  EXPECT_NEAR(reference->y, 260, 1);
-  EXPECT_NEAR(angle_distance(reference->theta, 2), 0, to_radians(1.5));
+  const auto match = match_in_view(stored, view, later);
+  ASSERT_TRUE(match);
+  EXPECT_NEAR(match->pose.x, 420, 1);
+  EXPECT_NEAR(match->pose.y, 260, 1);
+  EXPECT_NEAR(angle_distance(match->pose.theta, 2), 0, to_radians(1.5));
 }
 
 TEST(Resemblance, AnotherObjectIsRefusedAsAView) {
@@ -49,7 +49,7 @@ TEST(Resemblance, AnotherObjectIsRefusedAsAView) {
   // The stored object is in the image, but not in the map.
   const cv::Mat later = scene().render({other, placed(5, {450, 300, 1})}, 2);
   const ObjectModel stored = learned("part", first, before);
-  EXPECT_FALSE(shared_reference(stored, learned("part", other, later).views[0], later));
+  EXPECT_FALSE(match_in_view(stored, learned("part", other, later).views[0], later));
 }
 
 /// A ring with a hole of radius `hole` [px], at `place` in a larger image.
@@ -70,11 +70,11 @@ TEST(Resemblance, AViewOfARingIsComparedWithItsHole) {
   cv::Mat before, later;
   const ObjectModel stored = ring("ring", {100, 100}, before);
   const View view = ring("ring", {200, 130}, later).views[0];
-  const auto reference = shared_reference(stored, view, later);
-  ASSERT_TRUE(reference);
-  EXPECT_NEAR(reference->x, 200, 1);
-  EXPECT_NEAR(reference->y, 130, 1);
-  EXPECT_FALSE(shared_reference(ring("disc", {100, 100}, before, 0), view, later));
+  const auto match = match_in_view(stored, view, later);
+  ASSERT_TRUE(match);
+  EXPECT_NEAR(match->pose.x, 200, 1);
+  EXPECT_NEAR(match->pose.y, 130, 1);
+  EXPECT_FALSE(match_in_view(ring("disc", {100, 100}, before, 0), view, later));
 }
 
 TEST(Resemblance, DoesNotDependOnTheFrameOfAKnownObjectNorOnTheTimeBudget) {

@@ -33,10 +33,20 @@ bool shows_the_same(const View& one, const View& other) {
   return std::max({mean[0], mean[1], mean[2]}) < kNoise;
 }
 
+/// A frame at the wrong one of two angles or on another object would turn or displace the grasp.
+void doubt_view(const Match& match, Quality& quality) {
+  std::string reasons;
+  for (const auto& reason : match.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
+  quality.verdict = std::max(quality.verdict, Verdict::kMarginal);
+  quality.reasons.push_back("view_uncertain");
+  quality.advice.push_back("With its other views the object could not be grasped in this image (" +
+                           reasons + "). Check that it is the same object and the same side.");
+}
+
 }  // namespace
 
-std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& view,
-                                       const cv::Mat& image, const SearchConfig& search) {
+std::optional<Match> match_in_view(const ObjectModel& stored, const View& view,
+                                   const cv::Mat& image, const SearchConfig& search) {
   auto searched = std::make_shared<ObjectModel>(stored);
   searched->enabled = true;
   SearchRequest request;
@@ -44,7 +54,7 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
   request.max_instances = kPlacesTried;
 
   const cv::Mat map = full_size_map(view);
-  std::optional<Pose2D> reference;
+  std::optional<Match> found;
   double best = kLeastAgreement;
   Matcher matcher(search);
   matcher.set_objects({searched});
@@ -52,9 +62,9 @@ std::optional<Pose2D> shared_reference(const ObjectModel& stored, const View& vi
     const double agreed = segmentation::agreement_at(*searched, match.pose, map);
     if (agreed < best) continue;
     best = agreed;
-    reference = match.pose;
+    found = match;
   }
-  return reference;
+  return found;
 }
 
 std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
@@ -67,27 +77,37 @@ std::optional<Refusal> add_view(ObjectModel& stored, const ObjectModel& learned,
           "'" + stored.name + "' already has this view: the object lies as in that image.",
           "Rotate the object slightly or change the light; then teach the view again. Another side "
           "is taught under its own name.");
-  const auto reference = shared_reference(stored, view, image, search);
-  if (!reference)
+  const auto match = match_in_view(stored, view, image, search);
+  if (!match)
     return Refusal(
         LearnError::kNotDistinct,
         "The stored object was not found in the new image, so the new view cannot "
         "share its frame.",
         "A further view shows the same side, slightly rotated or in different light. Teach "
         "another side under its own name, or use overwrite.");
-  view.reference = *reference;
+  if (!(match->margin_angle >= search.min_margin_angle))
+    return Refusal(LearnError::kNotDistinct,
+                   "The stored object fits the new image at two angles, so the new view cannot "
+                   "share its frame.",
+                   "Show what distinguishes the angles, in light like that of the first lesson. If "
+                   "nothing does, declare the symmetry.");
+  view.reference = match->pose;
   stored.views.push_back(view);
   stored.quality = learned.quality;
+  if (!match->graspable) doubt_view(*match, stored.quality);
   declare_symmetry(stored, stored.symmetry);
   return {};
 }
 
-std::optional<Refusal> note_refused_view(ObjectModel& learned, const ObjectModel& stored,
-                                         const cv::Mat& image, const SearchConfig& search) {
+std::optional<Refusal> try_view(ObjectModel& learned, const ObjectModel& stored,
+                                const cv::Mat& image, const SearchConfig& search) {
   ObjectModel tried = stored;
   const auto refusal = add_view(tried, learned, image, search);
-  if (!refusal) return {};
   Quality& quality = learned.quality;
+  if (!refusal) {
+    quality = tried.quality;
+    return {};
+  }
   quality.verdict = Verdict::kBad;
   quality.reasons.insert(quality.reasons.begin(), "view_refused");
   quality.advice.insert(quality.advice.begin(),
