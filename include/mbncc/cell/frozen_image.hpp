@@ -12,8 +12,6 @@ class FrozenImage {
   /// to the image, so it must not be modified afterwards.
   bool update(const cv::Mat& image);
 
-  void reset();
-
  private:
   cv::Mat last_;
   int equal_ = 0;  // identical images in a row, up to last_

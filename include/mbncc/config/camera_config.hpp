@@ -17,7 +17,7 @@ struct CameraConfig {
   double exposure = -1;                ///< in the driver's unit; -1: unchanged
   double gain = -1;                    ///< in the driver's unit; -1: unchanged
   double white_balance = -1;           ///< [K]; -1: unchanged
-  bool detect_frozen = false;          ///< do not publish images that repeat exactly
+  bool detect_frozen = true;           ///< reopen a device or stream that repeats one image
   std::string camera_name = "camera";  ///< name of the camera in the calibration
   std::string camera_info_url;         ///< location of the calibration; "": the manager's default
   std::string frame_id = "camera_optical_frame";  ///< frame of the images
@@ -49,9 +49,11 @@ struct CameraConfig {
     visit(FieldInfo{"white_balance", Allowed::range(-1, 20000), "K",
                     "white balance of a device; -1: unchanged"},
           self.white_balance);
-    visit(FieldInfo{"detect_frozen", Allowed::anything(), "",
-                    "do not publish images that repeat exactly, and reopen a device"},
-          self.detect_frozen);
+    visit(
+        FieldInfo{
+            "detect_frozen", Allowed::anything(), "",
+            "reopen a device or stream that repeats one image exactly, and do not publish it"},
+        self.detect_frozen);
     visit(FieldInfo{"camera_name", Allowed::anything(), "",
                     "name in the calibration: letters, digits, underscores"},
           self.camera_name);

@@ -53,8 +53,6 @@ void SourcePlayer::open() {
   source_ = callbacks_.open();
   ROS_INFO("Opened %s", name_.c_str());
   health_.set_state(DiagnosticStatus::OK, "open");
-  frozen_.reset();
-  withholding_ = false;
   due_ = callbacks_.steady_time();
 }
 
@@ -80,7 +78,8 @@ void SourcePlayer::play() {
   if (stamp.isZero() || stamp == last_stamp_) return health_.count(&Counts::unstamped);
   if (!callbacks_.has_listener()) return;
   const cv::Mat image = retrieve();
-  if (image.empty() || is_frozen(image)) return;
+  if (image.empty()) return;
+  refuse_frozen(image);
   last_stamp_ = stamp;
   callbacks_.publish(image, stamp);
   health_.count(&Counts::published);
@@ -103,22 +102,13 @@ cv::Mat SourcePlayer::retrieve() {
   }
 }
 
-bool SourcePlayer::is_frozen(const cv::Mat& image) {
-  if (!config_.detect_frozen) return false;
-  if (!frozen_.update(image)) {
-    if (std::exchange(withholding_, false)) health_.set_state(DiagnosticStatus::OK, "open");
-    return false;
-  }
+/// Throws FileError if a live source repeats one image; recordings may.
+void SourcePlayer::refuse_frozen(const cv::Mat& image) {
+  if (!config_.detect_frozen || !source_->is_live() || !frozen_.update(image)) return;
   health_.count(&Counts::frozen);
-  if (source_->is_live()) throw FileError(name_, "the image is frozen");
-  if (!std::exchange(withholding_, true)) withhold();
-  return true;
-}
-
-void SourcePlayer::withhold() {
-  const std::string sentence = name_ + ": the image is frozen and not published";
-  health_.set_state(DiagnosticStatus::ERROR, sentence);
-  ROS_WARN("%s", sentence.c_str());
+  throw FileError(name_,
+                  "the image is frozen; check the camera, or set detect_frozen to false if this "
+                  "source may repeat images exactly");
 }
 
 void SourcePlayer::wait_until_due() {

@@ -55,8 +55,7 @@ class SourcePlayer {
   void play();
   void end();
   cv::Mat retrieve();
-  bool is_frozen(const cv::Mat& image);
-  void withhold();
+  void refuse_frozen(const cv::Mat& image);
   void wait_until_due();
 
   const CameraConfig config_;
@@ -64,8 +63,7 @@ class SourcePlayer {
   const Callbacks callbacks_;
   CameraHealth health_;
   std::unique_ptr<ImageSource> source_;
-  FrozenImage frozen_;
-  bool withholding_ = false;  // the images are frozen and not published
+  FrozenImage frozen_;  // also across openings: a camera may freeze for good
   Seconds retry_;
   Clock::time_point due_;
   ros::Time last_stamp_;

@@ -41,12 +41,5 @@ TEST(FrozenImage, PartsOfImagesAndOtherSizesAreCompared) {
   EXPECT_FALSE(frozen.update(whole));
 }
 
-TEST(FrozenImage, ResetForgets) {
-  FrozenImage frozen;
-  for (int i = 0; i < 5; ++i) frozen.update(noise(1));
-  frozen.reset();
-  EXPECT_FALSE(frozen.update(noise(1)));
-}
-
 }  // namespace
 }  // namespace mbncc

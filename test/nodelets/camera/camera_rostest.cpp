@@ -147,15 +147,13 @@ TEST_F(Camera, PlaysAVideo) {
   for (int i = 0; i < 8; ++i) EXPECT_NEAR(grey(i), grey_of(i), 4);
 }
 
-TEST_F(Camera, WithholdsFrozenImages) {
+TEST_F(Camera, PlaysAFolderOfOneImageInALoop) {
   write_images(folder_ / "images", 1);
   set("source", folder_ / "images");
   set("frame_rate", 50.0);
   set("loop", true);
-  set("detect_frozen", true);
   ASSERT_TRUE(load());
-  ASSERT_TRUE(spin_until([this] { return state_.find("frozen") != std::string::npos; }));
-  EXPECT_EQ(received_.size(), 4u);
+  EXPECT_TRUE(spin_until([this] { return received_.size() >= 8; }));
 }
 
 TEST_F(Camera, InvalidParametersStopItWithAnExplanation) {

@@ -212,25 +212,34 @@ TEST_F(SourcePlayerTest, TheEndIsReportedAndLasts) {
   EXPECT_EQ(story_.openings, 1);
 }
 
-TEST_F(SourcePlayerTest, FrozenImagesOfAFolderAreWithheld) {
-  config_.detect_frozen = true;
+TEST_F(SourcePlayerTest, RecordingsMayRepeatAnImage) {
   story_.same_image = true;
   play(8);
+  EXPECT_EQ(published_.size(), 8u);
+  EXPECT_EQ(state(), "open");
+}
+
+TEST_F(SourcePlayerTest, AFrozenImageOfALiveSourceIsNotPublishedAndTheSourceIsOpenedAgain) {
+  story_.live = story_.same_image = true;
+  play(5);
   EXPECT_EQ(published_.size(), 4u);
-  EXPECT_EQ(count("frozen images"), "4");
+  EXPECT_EQ(count("frozen images"), "1");
   EXPECT_NE(state().find("frozen"), std::string::npos);
+  play(2);
+  EXPECT_EQ(published_.size(), 4u) << "it repeats the image after it was opened again";
+  EXPECT_EQ(story_.openings, 3);
+  EXPECT_EQ(pauses_, std::vector<double>(3, 0.5));
   story_.same_image = false;
   play(1);
   EXPECT_EQ(published_.size(), 5u);
   EXPECT_EQ(state(), "open");
 }
 
-TEST_F(SourcePlayerTest, ALiveSourceThatFreezesIsOpenedAgain) {
-  config_.detect_frozen = true;
+TEST_F(SourcePlayerTest, ALiveSourceMayRepeatAnImageIfItIsTold) {
+  config_.detect_frozen = false;
   story_.live = story_.same_image = true;
-  play(6);
-  EXPECT_EQ(story_.openings, 2);
-  EXPECT_EQ(pauses_, std::vector<double>{0.5});
+  play(8);
+  EXPECT_EQ(published_.size(), 8u);
 }
 
 }  // namespace

@@ -24,9 +24,4 @@ bool FrozenImage::update(const cv::Mat& image) {
   return equal_ >= kFrozenFrom;
 }
 
-void FrozenImage::reset() {
-  last_.release();
-  equal_ = 0;
-}
-
 }  // namespace mbncc
