@@ -19,7 +19,9 @@ constexpr int kGlance = 200;  // [ms] between checks whether ROS is shutting dow
 }  // namespace
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "console", ros::init_options::NoSigintHandler);
+  // A second node of the same name would end the first one.
+  ros::init(argc, argv, "console",
+            ros::init_options::NoSigintHandler | ros::init_options::AnonymousName);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication application(argc, argv);
   QApplication::setApplicationName("mbncc console");

@@ -139,6 +139,9 @@ class Console(unittest.TestCase):
         self.assertIn("-f camera_optical_frame", self.of("rviz:=true").args)
         self.assertIn("-f usb_cam", self.of("rviz:=true", "frame:=usb_cam").args)
 
+    def test_has_a_name_of_its_own_so_that_a_second_one_does_not_end_it(self):
+        for window in ("rviz:=false", "rviz:=true"):
+            self.assertNotEqual(self.of(window).name, self.of(window).name)
 
     def test_is_configured_with_the_images_that_the_cell_searches(self):
         def told(*arguments):
