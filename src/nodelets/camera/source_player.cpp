@@ -87,8 +87,9 @@ void SourcePlayer::play() {
 
 void SourcePlayer::end() {
   at_end_ = true;
-  health_.set_state(DiagnosticStatus::WARN, "finished");
-  ROS_INFO("%s has ended", name_.c_str());
+  const std::string advice = "loop (cell.launch loop:=true) plays it again and again";
+  health_.set_state(DiagnosticStatus::WARN, "finished; " + advice);
+  ROS_WARN("%s has ended, and no more images follow; %s", name_.c_str(), advice.c_str());
 }
 
 /// Returns an empty image and logs a warning if the image cannot be read.

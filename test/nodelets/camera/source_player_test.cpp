@@ -208,7 +208,7 @@ TEST_F(SourcePlayerTest, TheEndIsReportedAndLasts) {
   story_.images = 2;
   play(5);
   EXPECT_EQ(published_.size(), 2u);
-  EXPECT_EQ(state(), "finished");
+  EXPECT_EQ(state(), "finished; loop (cell.launch loop:=true) plays it again and again");
   EXPECT_EQ(story_.openings, 1);
 }
 

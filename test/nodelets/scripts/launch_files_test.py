@@ -183,6 +183,12 @@ class Images(unittest.TestCase):
                          {"image_transport": "raw", "white_level": 0, "max_info_age": 60, "tf_wait": 0})
 
 
+class Recording(unittest.TestCase):
+    def test_is_played_again_if_wanted(self):
+        self.assertIs(parameters("cell.launch")["/camera/loop"], False)
+        self.assertIs(parameters("cell.launch", "source:=images", "loop:=true")["/camera/loop"], True)
+
+
 class Frames(unittest.TestCase):
     def test_are_those_of_the_arguments(self):
         for name in (["cell.launch"], ["replay.launch", "bag:=x.bag"]):
