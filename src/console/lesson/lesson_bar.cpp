@@ -100,9 +100,15 @@ void LessonBar::allow_marks(bool allowed, const QString& reason) {
   mark_->setToolTip(allowed ? "Record where the gripper holds the object" : reason);
 }
 
-void LessonBar::clear_name() {
+void LessonBar::clear_object() {
   name_->clear();
+  height_->setValue(0);
   choose_symmetry(symmetry_, mbncc_vision::LearnObjectGoal::SYMMETRY_AUTO);
+}
+
+void LessonBar::show_goal(const mbncc_vision::LearnObjectGoal& goal) {
+  height_->setValue(goal.object_height * 1000);
+  choose_symmetry(symmetry_, goal.symmetry);
 }
 
 void LessonBar::say(const Notice::Line& line, double now) {

@@ -42,8 +42,10 @@ class LessonBar : public QWidget {
   void give_keyboard_to_answers() { choices_->take_keyboard(); }
   /// Clears the notice when it is out of date.
   void clear_notice() { notice_.clear(); }
-  /// Clears the name and the declared symmetry after a lesson.
-  void clear_name();
+  /// Clears name, height and declared symmetry, which belong to the object of one lesson.
+  void clear_object();
+  /// Shows the height and the symmetry of a lesson that is sent.
+  void show_goal(const mbncc_vision::LearnObjectGoal& goal);
   /// Shows a notice, such as the library's refusal, instead of the lesson's own message for some
   /// seconds.
   void say(const Notice::Line& line, double now);

@@ -100,13 +100,16 @@ void LessonController::want_lesson() {
 void LessonController::ask_about_name(const std::string& name) {
   widgets_.bar.clear_notice();
   const std::string other = free_name(name, library_.library().names());
+  const auto* known = library_.library().find(name);
   widgets_.bar.ask(
       "The name is taken",
       {Level::kUnknown, "'" + name +
                             "' is in the library already. Replace it, add a view to "
                             "it, or teach this one under the new name '" +
-                            other + "'?"},
-      {{"Re&place it", "Teach it again; Undo edit restores the old one",
+                            other + "'?" + (known != nullptr ? loss_of(*known) : "")},
+      {{"Re&place it",
+        "Teach it again, with its height and symmetry if none are given; Undo edit restores the "
+        "old one",
         [this, name] {
           begin({What::kReplace, name});
         }},
@@ -129,7 +132,9 @@ void LessonController::begin(const TeachingWish& wish) {
   widgets_.bar.clear_notice();
   widgets_.bar.withdraw_question();
   library_.begin_lesson(wish.name);
-  lesson_.begin(ros_.teach(goal_of(wish, widgets_.bar.goal())), clock_.now());
+  const auto goal = goal_of(wish, widgets_.bar.goal(), library_.library().find(wish.name));
+  if (wish.what == What::kReplace) widgets_.bar.show_goal(goal);
+  lesson_.begin(ros_.teach(goal), clock_.now());
   widgets_.image.setFocus();
   show();
 }
@@ -140,11 +145,13 @@ void LessonController::end_lesson(const mbncc_vision::LearnObjectActionResult& r
   show();
   if (!own) return;
   const Result outcome = outcome_of(result);
-  if (outcome.error_code == Result::NAME_TAKEN) return ask_about_name(wish_.name);
+  // The server may have chosen the name that another lesson took meanwhile.
+  if (outcome.error_code == Result::NAME_TAKEN)
+    return ask_about_name(wish_.name.empty() ? outcome.object.name : wish_.name);
   if (outcome.error_code == Result::SUCCESS) {
     library_.retaught(outcome.object.name);
     widgets_.strip.choose(QString::fromStdString(outcome.object.name));
-    widgets_.bar.clear_name();
+    widgets_.bar.clear_object();
     return offer_next_view(outcome.object.name);
   }
   if (!viewed_.empty()) offer_next_view(viewed_);
