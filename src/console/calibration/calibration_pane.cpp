@@ -22,13 +22,26 @@ QSpinBox* make_count(int value, const QString& tip) {
   return box;
 }
 
+QDoubleSpinBox* make_length(double least, double most, double value, const QString& suffix,
+                            const QString& tip) {
+  auto* box = new QDoubleSpinBox;
+  box->setRange(least, most);
+  box->setDecimals(2);
+  box->setValue(value);
+  box->setSuffix(suffix);
+  box->setToolTip(tip);
+  return box;
+}
+
 }  // namespace
 
 CalibrationPane::CalibrationPane(QWidget* parent)
     : QWidget(parent),
       columns_(make_count(Board().columns, "inner corners along the board")),
       rows_(make_count(Board().rows, "inner corners across the board")),
-      square_(new QDoubleSpinBox),
+      square_(make_length(0.5, 500, 1000 * Board().square, " mm squares", "side of a square")),
+      thickness_(make_length(0, 100, 0, " mm thick",
+                             "height of the board's printed face above the platform")),
       coverage_(new CoverageView),
       image_text_(new QLabel),
       board_text_(new QLabel),
@@ -38,10 +51,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
       start_over_(make_button("&Start over", "Discard the recorded images", "Alt+S")),
       platform_(
           make_button("Plat&form", "From the board that lies flat on the platform", "Alt+F")) {
-  square_->setRange(0.5, 500);
-  square_->setDecimals(2);
-  square_->setValue(1000 * Board().square);
-  square_->setSuffix(" mm squares");
+  name_window(thickness_, "thickness");
   for (auto* text : {image_text_, board_text_, result_text_}) text->setWordWrap(true);
   result_text_->setTextInteractionFlags(Qt::TextSelectableByMouse);  // a path to copy
   QFont bold = result_text_->font();
@@ -54,6 +64,9 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   board->addWidget(new QLabel(QString::fromUtf8("\u00d7")));
   board->addWidget(rows_);
   board->addWidget(square_, 1);
+  auto* platform = new QHBoxLayout;
+  platform->addWidget(new QLabel("On the platform"));
+  platform->addWidget(thickness_, 1);
   auto* buttons = new QGridLayout;
   buttons->addWidget(compute_, 0, 0);
   buttons->addWidget(keep_, 0, 1);
@@ -64,6 +77,7 @@ CalibrationPane::CalibrationPane(QWidget* parent)
   all->setContentsMargins(0, 0, 0, 0);
   all->addWidget(image_text_);
   all->addLayout(board);
+  all->addLayout(platform);
   all->addWidget(board_text_);
   all->addWidget(result_text_);
   all->addWidget(coverage_, 1);
@@ -145,14 +159,16 @@ void CalibrationPane::compute() {
 
 void CalibrationPane::show_kept(bool success, const QString& message) {
   result_text_->setText(success
-                            ? "Stored. Next, lay the board flat on the platform and press Platform."
+                            ? "Stored. The platform's pose still rests on the old calibration: "
+                              "lay the board flat on the platform, press Platform, and start the "
+                              "cell again with the result before its poses are used."
                             : "Not kept: " + message);
 }
 
 void CalibrationPane::calibrate_platform(const CellImages& images) {
   platform_->setEnabled(false);
   result_text_->setText("The platform is being calibrated; do not move the board.");
-  platform_calibration_.begin(board(), images);
+  platform_calibration_.begin(board(), thickness_->value() / 1000, images);
 }
 
 void CalibrationPane::show_platform(bool success, const QString& message) {

@@ -53,7 +53,7 @@ class CalibrationPane : public QWidget {
   std::vector<Mark> marks_;
   QElapsedTimer since_look_;
   QSpinBox *columns_, *rows_;
-  QDoubleSpinBox* square_;
+  QDoubleSpinBox *square_, *thickness_;
   CoverageView* coverage_;
   QLabel *image_text_, *board_text_, *result_text_;
   QPushButton *compute_, *keep_, *start_over_, *platform_;

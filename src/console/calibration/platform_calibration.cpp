@@ -22,7 +22,7 @@ QString folder_of(const std::string& frame) {
 }
 
 /// Arguments of calibrate_platform; camera_info is in the namespace of the images.
-QStringList arguments_of(const Board& board, const CellImages& images) {
+QStringList arguments_of(const Board& board, double thickness, const CellImages& images) {
   const std::string frame = frame_of(images.cell);
   const auto last = images.topic.rfind('/') + 1;
   const std::string info = images.topic.substr(0, last) + "camera_info";
@@ -30,6 +30,8 @@ QStringList arguments_of(const Board& board, const CellImages& images) {
                         QString("%1x%2").arg(board.columns).arg(board.rows),
                         "--square",
                         QString::number(board.square, 'g', 6),
+                        "--thickness",
+                        QString::number(thickness, 'g', 6),
                         "--out",
                         folder_of(frame),
                         "--platform-frame",
@@ -64,10 +66,10 @@ PlatformCalibration::PlatformCalibration(QObject* parent) : QObject(parent) {
   connect(&process_, &QProcess::errorOccurred, this, &PlatformCalibration::report_missing);
 }
 
-void PlatformCalibration::begin(const Board& board, const CellImages& images) {
+void PlatformCalibration::begin(const Board& board, double thickness, const CellImages& images) {
   if (process_.state() != QProcess::NotRunning) return;
-  process_.start("rosrun",
-                 QStringList{"mbncc_vision", "calibrate_platform"} + arguments_of(board, images));
+  process_.start("rosrun", QStringList{"mbncc_vision", "calibrate_platform"} +
+                               arguments_of(board, thickness, images));
 }
 
 void PlatformCalibration::read_results(int code, QProcess::ExitStatus status) {

@@ -21,10 +21,10 @@ class PlatformCalibration : public QObject {
  public:
   explicit PlatformCalibration(QObject* parent = nullptr);
 
-  /// Calibrates from the board that lies on the cell's platform. The files go to ROS_HOME (~/.ros)
-  /// on this computer and replace those of an earlier calibration of the cell. Ignored while a
-  /// calibration is running.
-  void begin(const Board& board, const CellImages& images);
+  /// Calibrates from the board that lies on the cell's platform; `thickness` [m] is the height of
+  /// its printed face above the platform. The files go to ROS_HOME (~/.ros) on this computer and
+  /// replace those of an earlier calibration of the cell. Ignored while a calibration is running.
+  void begin(const Board& board, double thickness, const CellImages& images);
 
  Q_SIGNALS:
   /// `message`: the pose and how to start the cell with it, or why the calibration failed.

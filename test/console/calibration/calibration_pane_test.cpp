@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <QCoreApplication>
+#include <QFile>
 #include <QPushButton>
+#include <QTemporaryDir>
 #include <QThread>
 
 #include "console/calibration/drawn_board.hpp"
@@ -28,6 +31,46 @@ TEST(CalibrationPane, ABoardThatWasNeverTiltedCannotBeKept) {
   ASSERT_TRUE(button(pane, "Compute")->isEnabled());
   button(pane, "Compute")->click();
   EXPECT_FALSE(button(pane, "Keep")->isEnabled());
+}
+
+/// While it exists, rosrun only prints its arguments.
+class PrintingRosrun {
+ public:
+  PrintingRosrun() {
+    QFile program(folder_.filePath("rosrun"));
+    program.open(QIODevice::WriteOnly);
+    program.write("#!/bin/sh\necho \"$@\"\necho start the cell\n");
+    program.setPermissions(QFile::ReadOwner | QFile::ExeOwner);
+    qputenv("PATH", folder_.path().toLocal8Bit() + ":" + path_);
+  }
+  ~PrintingRosrun() { qputenv("PATH", path_); }
+
+ private:
+  QTemporaryDir folder_;
+  const QByteArray path_ = qgetenv("PATH");
+};
+
+QString texts(const QWidget& pane) {
+  QString text;
+  for (const auto* label : pane.findChildren<QLabel*>()) text += label->text() + "\n";
+  return text;
+}
+
+TEST(CalibrationPane, ThePlatformIsCalibratedBelowTheBoardsThickness) {
+  const PrintingRosrun rosrun;
+  CalibrationPane pane;
+  pane.findChild<QDoubleSpinBox*>("thickness")->setValue(5);
+  pane.calibrate_platform({"/", "/image_raw"});
+  while (!button(pane, "Platform")->isEnabled())
+    QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+  EXPECT_TRUE(texts(pane).contains("--thickness 0.005 ")) << texts(pane).toStdString();
+}
+
+TEST(CalibrationPane, ANewLensCalibrationNeedsANewOneOfThePlatform) {
+  CalibrationPane pane;
+  pane.show_kept(true, "");
+  EXPECT_TRUE(texts(pane).contains("The platform's pose still rests on the old calibration"))
+      << texts(pane).toStdString();
 }
 
 }  // namespace
