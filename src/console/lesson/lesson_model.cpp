@@ -162,6 +162,7 @@ void LessonModel::want(const Word& word) {
 std::optional<LessonModel::Word> LessonModel::next_word() {
   if (phase_ != Phase::kReview || words_.empty() || asked_) return {};
   asked_ = words_.front();
+  asked_->goal_id = goal_;
   words_.pop_front();
   phase_ = Phase::kDeciding;
   detail_ = "Working on it.";

@@ -21,6 +21,8 @@ Confirmation::Response refuse(const char* message) {
 Confirmation::Response Confirmation::ask(const Request& request) {
   std::unique_lock<std::mutex> lock(mutex_);
   if (!open_) return refuse("no lesson waits for confirmation; teach with confirm set");
+  if (!request.goal_id.empty() && request.goal_id != goal_id_)
+    return refuse("the lesson that is meant has ended, and another one waits; look at that one");
   if (request_ || response_) return refuse("the lesson is busy with another command; try again");
   request_ = request;
   changed_.notify_all();
@@ -30,8 +32,9 @@ Confirmation::Response Confirmation::ask(const Request& request) {
   return *std::exchange(response_, std::nullopt);
 }
 
-void Confirmation::open() {
+void Confirmation::open(const std::string& goal_id) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  goal_id_ = goal_id;
   open_ = true;
 }
 

@@ -9,6 +9,7 @@
 #include <functional>
 #include <mutex>
 #include <optional>
+#include <string>
 
 namespace mbncc::nodelets {
 
@@ -18,11 +19,12 @@ class Confirmation {
   using Response = mbncc_vision::ConfirmLearning::Response;
 
   /// Service side: passes the command to the waiting lesson and waits for its answer. Refuses with
-  /// a message if no lesson waits.
+  /// a message if no lesson waits, or if the command is meant for another one.
   Response ask(const Request& request);
 
-  /// Lesson side: accepts commands from now on; call this before the operator is asked.
-  void open();
+  /// Lesson side: accepts commands for the lesson with the goal `goal_id` from now on; call this
+  /// before the operator is asked.
+  void open(const std::string& goal_id);
 
   /// Lesson side: waits for a command; none once `interrupted` returns true, or after `patience`.
   std::optional<Request> next(const std::function<bool()>& interrupted,
@@ -38,6 +40,7 @@ class Confirmation {
   std::mutex mutex_;
   std::condition_variable changed_;
   bool open_ = false;
+  std::string goal_id_;
   std::optional<Request> request_;
   std::optional<Response> response_;
 };

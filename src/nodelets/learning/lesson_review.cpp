@@ -61,14 +61,15 @@ LessonEdit edit_of(const Request& request, cv::Size size, bool further_view) {
 
 }  // namespace
 
-LessonReview::LessonReview(Confirmation& confirmation, LessonDraft& draft, LessonFeedback& feedback,
-                           cv::Size image, bool further_view)
+LessonReview::LessonReview(Confirmation& confirmation, const std::string& goal_id,
+                           LessonDraft& draft, LessonFeedback& feedback, cv::Size image,
+                           bool further_view)
     : confirmation_(confirmation),
       draft_(draft),
       feedback_(feedback),
       image_(image),
       further_view_(further_view) {
-  confirmation_.open();
+  confirmation_.open(goal_id);
 }
 
 LessonReview::~LessonReview() {

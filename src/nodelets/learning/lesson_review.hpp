@@ -2,6 +2,9 @@
 // The operator's review of a draft before it is stored: accept, reject, edit, undo.
 #pragma once
 
+#include <opencv2/core.hpp>
+#include <string>
+
 #include "nodelets/learning/confirmation.hpp"
 #include "nodelets/learning/lesson_draft.hpp"
 #include "nodelets/learning/lesson_feedback.hpp"
@@ -11,10 +14,11 @@ namespace mbncc::nodelets {
 /// Accepts commands while it exists; a call that is pending at its end is refused.
 class LessonReview {
  public:
-  /// The references must outlive this object. `image` is the size [px] of the learning image. With
-  /// `further_view`, the object's frame is that of the stored object and cannot be moved.
-  LessonReview(Confirmation& confirmation, LessonDraft& draft, LessonFeedback& feedback,
-               cv::Size image, bool further_view);
+  /// The references must outlive this object. `goal_id` is that of the lesson, `image` the size
+  /// [px] of the learning image. With `further_view`, the object's frame is that of the stored
+  /// object and cannot be moved.
+  LessonReview(Confirmation& confirmation, const std::string& goal_id, LessonDraft& draft,
+               LessonFeedback& feedback, cv::Size image, bool further_view);
   ~LessonReview();
 
   /// Carries out edits until the operator accepts a draft that may be stored (true) or rejects it

@@ -14,6 +14,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <thread>
 
 #include "mbncc/error.hpp"
@@ -30,6 +31,7 @@ class LessonClient {
   LessonClient(Handle handle, double timeout, double default_timeout);
 
   const mbncc_vision::LearnObjectGoal& goal() const { return *goal_; }
+  std::string goal_id() const { return handle_.getGoalID().id; }
 
   /// Why the lesson must end now: cancelled or out of time. None: it may continue.
   std::optional<LearnError> interruption() const;

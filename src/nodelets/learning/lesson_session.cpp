@@ -46,8 +46,8 @@ LessonSession::Result LessonSession::teach() {
 }
 
 LessonSession::Result LessonSession::review() {
-  LessonReview review(tools_.confirmation, draft_, feedback_, images_.before().image.size(),
-                      goal_.add_view);
+  LessonReview review(tools_.confirmation, client_.goal_id(), draft_, feedback_,
+                      images_.before().image.size(), goal_.add_view);
   client_.wait_for_operator();
   if (!review.is_accepted()) {
     review.answer(true, "rejected; nothing was stored");

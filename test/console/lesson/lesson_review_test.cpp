@@ -143,6 +143,12 @@ TEST(LessonReview, CorrectionsAreQueuedWhileOneIsComputed) {
   EXPECT_EQ(lesson.next_word()->command, LessonModel::Word::UNDO);
 }
 
+TEST(LessonReview, CommandsNameTheLessonThatIsShown) {
+  LessonModel lesson = in_review();
+  lesson.want(word(LessonModel::Word::ACCEPT));
+  EXPECT_EQ(lesson.next_word()->goal_id, "goal");
+}
+
 TEST(LessonReview, AnAcceptDoesNotApplyToALaterDraft) {
   LessonModel lesson = in_review();
   decide(lesson);

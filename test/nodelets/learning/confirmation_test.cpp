@@ -33,7 +33,7 @@ TEST(Confirmation, RefusesWhileNoLessonWaits) {
 
 TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
   Confirmation desk;
-  desk.open();
+  desk.open("goal");
   auto operator_side = std::async(std::launch::async, [&desk] {
     const Response first = desk.ask(command(Request::UNDO));
     return std::make_pair(first, desk.ask(command(Request::ACCEPT)));
@@ -52,21 +52,40 @@ TEST(Confirmation, CarriesCommandsAndAnswersAcross) {
   EXPECT_EQ(answers.second.message, std::to_string(Request::ACCEPT));
 }
 
+TEST(Confirmation, RefusesACommandForAnotherLesson) {
+  Confirmation desk;
+  desk.open("earlier");
+  desk.close();
+  desk.open("goal");
+  Request request = command(Request::ACCEPT);
+  request.goal_id = "earlier";
+  const Response refused = desk.ask(request);
+  EXPECT_FALSE(refused.success);
+  EXPECT_NE(refused.message.find("another one waits"), std::string::npos);
+  request.goal_id = "goal";
+  auto operator_side = std::async(std::launch::async, [&] { return desk.ask(request); });
+  ASSERT_TRUE(desk.next(never, kPatience));
+  Response response;
+  response.success = true;
+  desk.answer(response);
+  EXPECT_TRUE(operator_side.get().success);
+}
+
 TEST(Confirmation, EndsWhenInterrupted) {
   Confirmation desk;
-  desk.open();
+  desk.open("goal");
   EXPECT_FALSE(desk.next([] { return true; }, kPatience));
 }
 
 TEST(Confirmation, EndsAfterTheTimeout) {
   Confirmation desk;
-  desk.open();
+  desk.open("goal");
   EXPECT_FALSE(desk.next(never, std::chrono::milliseconds(1)));
 }
 
 TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
   Confirmation desk;
-  desk.open();
+  desk.open("goal");
   auto operator_side =
       std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
   ASSERT_TRUE(desk.next(never, kPatience));
@@ -76,7 +95,7 @@ TEST(Confirmation, ReleasesTheOperatorWhenTheLessonEnds) {
 
 TEST(Confirmation, AnAnswerGivenJustBeforeTheEndArrives) {
   Confirmation desk;
-  desk.open();
+  desk.open("goal");
   auto operator_side =
       std::async(std::launch::async, [&desk] { return desk.ask(command(Request::ACCEPT)); });
   ASSERT_TRUE(desk.next(never, kPatience));

@@ -101,6 +101,18 @@ TEST_F(Review, AsksTheOperatorBeforeStoring) {
   EXPECT_TRUE(edit("checked", EditObject::Request::DELETE).success);
 }
 
+TEST_F(Review, ACommandForAnotherLessonIsRefused) {
+  const std::string id = begin("meant");
+  ConfirmLearning::Request request;
+  request.command = ConfirmLearning::Request::ACCEPT;
+  request.goal_id = id + "_earlier";
+  EXPECT_FALSE(change(request).success);
+  request.command = ConfirmLearning::Request::REJECT;
+  request.goal_id = id;
+  EXPECT_TRUE(change(request).success);
+  EXPECT_EQ(teacher_.await(id).result.error_code, Result::REJECTED_BY_OPERATOR);
+}
+
 TEST_F(Review, EditsCanBeUndoneAndTheLastOnesAreStored) {
   const std::string id = begin("edited");
   EXPECT_FALSE(confirm(ConfirmLearning::Request::UNDO).success) << "no edit yet";
