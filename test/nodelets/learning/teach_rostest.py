@@ -1,6 +1,9 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: BSD-3-Clause
 """Tests scripts/teach in the simulated cell, as an operator uses it."""
+import argparse
+import importlib.machinery
+import importlib.util
 import os
 import signal
 import subprocess
@@ -9,15 +12,16 @@ import tempfile
 import unittest
 import xmlrpc.client
 
+import actionlib
 import rosgraph
 import rospy
 import rostest
 from actionlib_msgs.msg import GoalID, GoalStatus, GoalStatusArray
 from std_srvs.srv import Trigger
 
-from mbncc_vision.msg import (LearnObjectActionFeedback, LearnObjectActionGoal, LearnObjectActionResult,
-                              LearnObjectGoal)
-from mbncc_vision.srv import ListObjects
+from mbncc_vision.msg import (LearnObjectAction, LearnObjectActionFeedback, LearnObjectActionGoal,
+                              LearnObjectActionResult, LearnObjectFeedback, LearnObjectGoal, LearnObjectResult)
+from mbncc_vision.srv import ConfirmLearning, ConfirmLearningRequest, ConfirmLearningResponse, ListObjects
 
 TEACH = os.path.join(os.path.dirname(os.path.realpath(__file__)), "..", "..", "..", "scripts", "teach")
 PATIENCE = 60  # [s]
@@ -67,6 +71,56 @@ class LostResult:
         self._timer.join()
         for topic in self._topics:
             topic.unregister()
+
+
+class AskingLesson:
+    """A server of the action whose lessons only ask whether to store an object with this error code."""
+
+    def __init__(self, namespace, error_code, refusals=()):
+        self.goals, self.requests = [], []
+        self._refusals = list(refusals)  # messages of the first answers to ACCEPT
+        self._goal = None
+        self._draft = rospy.Publisher(namespace + "/learn_object/draft", LearnObjectResult, queue_size=1, latch=True)
+        self._draft.publish(LearnObjectResult(error_code=error_code))
+        self._service = rospy.Service(namespace + "/confirm_learning", ConfirmLearning, self._confirm)
+        self._server = actionlib.ActionServer(namespace + "/learn_object", LearnObjectAction, self._begin,
+                                              lambda _: None, auto_start=False)
+        self._server.start()
+        self._timer = rospy.Timer(rospy.Duration(0.2), self._ask)
+
+    def _begin(self, goal):
+        self.goals.append(goal.get_goal())
+        goal.set_accepted()
+        self._goal = goal
+
+    def _ask(self, _):
+        if self._goal:
+            self._goal.publish_feedback(LearnObjectFeedback(stage=LearnObjectFeedback.WAIT_CONFIRM))
+
+    def _confirm(self, request):
+        self.requests.append(request)
+        if request.goal_id != self._goal.get_goal_id().id:
+            return ConfirmLearningResponse(success=False, message="another lesson")
+        if request.command == ConfirmLearningRequest.ACCEPT and self._refusals:
+            return ConfirmLearningResponse(success=False, message=self._refusals.pop(0))
+        goal, self._goal = self._goal, None
+        if request.command == ConfirmLearningRequest.ACCEPT:
+            goal.set_succeeded(LearnObjectResult(message="Learned."))
+        else:
+            goal.set_aborted(LearnObjectResult(error_code=LearnObjectResult.REJECTED_BY_OPERATOR))
+        return ConfirmLearningResponse(success=True)
+
+    def commands(self):
+        return [request.command for request in self.requests]
+
+
+def program():
+    """The program as a module."""
+    loader = importlib.machinery.SourceFileLoader("teach", TEACH)
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(loader.name, loader))
+    sys.dont_write_bytecode = True
+    loader.exec_module(module)
+    return module
 
 
 class Teach(unittest.TestCase):
@@ -142,6 +196,59 @@ class Teach(unittest.TestCase):
         code, said = self.without_result(GoalStatus.SUCCEEDED, "")
         self.assertEqual(code, 0, said)
         self.assertIn("Stored", said)
+
+    def answered(self, answers, namespace, error_code, *arguments, refusals=()):
+        """Exit code, output and server of a lesson that only asks; these are the operator's answers."""
+        server = AskingLesson(namespace, error_code, refusals)
+        program = self.start("part", *arguments, namespace=namespace)
+        self.addCleanup(program.kill)
+        said, _ = program.communicate(answers, timeout=PATIENCE)
+        return program.returncode, said, server
+
+    def test_a_bad_object_is_stored_only_if_the_operator_confirms_it(self):
+        code, said, server = self.answered("y\nn\n", "/declined", LearnObjectResult.QUALITY_BAD)
+        self.assertEqual((code, server.commands()), (1, [ConfirmLearningRequest.REJECT]), said)
+        self.assertIn("The verdict is BAD", said)
+        code, said, server = self.answered("y\ny\n", "/insisted", LearnObjectResult.QUALITY_BAD)
+        self.assertEqual((code, server.commands()), (0, [ConfirmLearningRequest.ACCEPT]), said)
+        self.assertTrue(server.goals[0].allow_bad)
+        code, said, server = self.answered("y\n", "/allowed", LearnObjectResult.QUALITY_BAD, "--allow-bad")
+        self.assertEqual((code, server.commands()), (0, [ConfirmLearningRequest.ACCEPT]), said)
+
+    def test_a_refused_answer_keeps_the_lesson(self):
+        code, said, server = self.answered("y\ny\n", "/full_disk", LearnObjectResult.SUCCESS,
+                                           refusals=["Not stored: no space left."])
+        self.assertEqual((code, server.commands()), (0, [ConfirmLearningRequest.ACCEPT] * 2), said)
+        self.assertIn("Not stored: no space left.", said)
+
+    def test_a_preview_that_does_not_arrive_does_not_end_the_lesson(self):
+        with tempfile.TemporaryDirectory() as folder:
+            code, said, _ = self.answered("y\n", "/blind", LearnObjectResult.SUCCESS, "--preview",
+                                          os.path.join(folder, "outline.png"))
+        self.assertEqual(code, 0, said)
+        self.assertIn("The outline was not written", said)
+
+    def test_a_preview_that_cannot_be_written_is_refused_before_the_lesson(self):
+        server = AskingLesson("/unwritable", LearnObjectResult.SUCCESS)
+        for path in ("/no/such/folder/outline.png", "/tmp/outline.unknown"):
+            program = self.start("part", "--preview", path, namespace="/unwritable")
+            said, _ = program.communicate(timeout=PATIENCE)
+            self.assertEqual(program.returncode, 1, said)
+            self.assertIn("cannot write " + path, said)
+        self.assertEqual(server.goals, [])
+
+    def test_a_lesson_that_ended_while_the_operator_was_asked_gets_no_answer(self):
+        module = program()
+        teacher = module.Teacher(argparse.Namespace(preview=None, allow_bad=False))
+        sent = []
+        teacher._send = sent.append
+
+        def answer(_):
+            teacher._end()
+            return False
+        module.answer_to = answer
+        teacher._confirm()
+        self.assertEqual(sent, [])
 
     def test_a_bad_name_ends_at_once_with_a_reason(self):
         known_names()
