@@ -88,6 +88,10 @@ void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& f
   detail_ = feedback.feedback.message;
   level_ = Level::kUnknown;
   phase_ = asked ? Phase::kReview : Phase::kRunning;
+  if (asked && !refusal_.empty()) {
+    detail_ = std::exchange(refusal_, "");
+    level_ = Level::kBad;
+  }
   if (asked && !draft_) show_draft(newest_draft_);
 }
 
@@ -132,6 +136,7 @@ void LessonModel::begin(const std::string& goal, double now) {
 void LessonModel::join(const std::string& goal, double now) {
   phase_ = Phase::kRunning;
   question_.clear();
+  refusal_.clear();
   goal_ = goal;
   stage_ = Feedback::WAIT_IMAGE;
   progress_ = 0;
@@ -200,6 +205,8 @@ void LessonModel::take_no_answer(const std::string& message) {
 
 void LessonModel::go_on(bool success, const std::string& message) {
   asked_.reset();
+  // The lesson has passed through further stages since, and is about to ask again.
+  if (phase_ == Phase::kRunning && !success) refusal_ = message;
   if (phase_ != Phase::kDeciding && phase_ != Phase::kReview) return;
   phase_ = Phase::kReview;
   level_ = success ? Level::kUnknown : Level::kBad;

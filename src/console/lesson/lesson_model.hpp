@@ -114,6 +114,7 @@ class LessonModel {
   std::string goal_;
   std::string headline_ = "Waiting for the learning nodelet";
   std::string question_;  // the server's message while it asks the operator
+  std::string refusal_;   // answer to the last command, to be shown when the server asks again
   std::string detail_ = "Start it with cell.launch; this window continues automatically.";
   Level level_ = Level::kUnknown;
   std::uint8_t stage_ = 0;

@@ -49,14 +49,17 @@ LessonSession::Result LessonSession::review() {
   LessonReview review(tools_.confirmation, client_.goal_id(), draft_, feedback_,
                       images_.before().image.size(), goal_.add_view);
   client_.wait_for_operator();
-  if (!review.is_accepted()) {
-    review.answer(true, "rejected; nothing was stored");
-    return with_object(outcome(LearnError::kRejectedByOperator), draft_.learned().object,
-                       images_.before());
+  while (review.is_accepted()) {
+    const Result result = store();
+    // The operator may make room on the disk and accept again; the corrections are not lost.
+    const bool may_pass = result.error_code == Result::STORAGE;
+    review.answer(result.error_code == Result::SUCCESS,
+                  may_pass ? "Not stored: " + result.message + " " + result.hint : result.message);
+    if (!may_pass) return result;
   }
-  const Result result = store();
-  review.answer(result.error_code == Result::SUCCESS, result.message);
-  return result;
+  review.answer(true, "rejected; nothing was stored");
+  return with_object(outcome(LearnError::kRejectedByOperator), draft_.learned().object,
+                     images_.before());
 }
 
 LessonSession::Result LessonSession::store() {

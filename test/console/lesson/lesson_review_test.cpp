@@ -124,6 +124,21 @@ TEST(LessonReview, OnlyOneCommandIsSentAtATime) {
   EXPECT_EQ(lesson.level(), Level::kBad);
 }
 
+TEST(LessonReview, AnObjectThatCouldNotBeStoredCanBeAcceptedAgain) {
+  LessonModel lesson = in_review();
+  lesson.want(word(LessonModel::Word::ACCEPT));
+  ASSERT_TRUE(lesson.next_word());
+  lesson.take_feedback(feedback(Feedback::STORE), 2);
+  lesson.take_answer(false, "Not stored: no space left.");
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 3);
+  EXPECT_EQ(lesson.detail(), "Not stored: no space left.");
+  EXPECT_EQ(lesson.level(), Level::kBad);
+  EXPECT_TRUE(lesson.may_accept());
+  lesson.take_feedback(feedback(Feedback::SEGMENT), 4);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 5);
+  EXPECT_NE(lesson.detail(), "Not stored: no space left.");
+}
+
 TEST(LessonReview, CorrectionsAreQueuedWhileOneIsComputed) {
   LessonModel lesson = in_review();
   decide(lesson);

@@ -3,6 +3,7 @@
 #include <std_srvs/Trigger.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/protocol/protocol.hpp"
@@ -133,6 +134,23 @@ TEST_F(Review, EditsCanBeUndoneAndTheLastOnesAreStored) {
   EXPECT_EQ(accepted.error_code, Result::SUCCESS);
   EXPECT_DOUBLE_EQ(accepted.object.reference.x, 150);
   EXPECT_TRUE(edit("edited", EditObject::Request::DELETE).success);
+}
+
+TEST_F(Review, GoesOnWithItsCorrectionsIfTheObjectCannotBeStored) {
+  std::string folder;
+  ASSERT_TRUE(ros::param::get("learning/library_path", folder));
+  const std::string id = begin("corrected");
+  EXPECT_TRUE(change(new_reference(150, 110)).success);
+  std::filesystem::rename(folder, folder + "_away");
+  const auto failed = confirm(ConfirmLearning::Request::ACCEPT);
+  std::filesystem::rename(folder + "_away", folder);
+  EXPECT_FALSE(failed.success);
+  EXPECT_EQ(failed.message.rfind("Not stored: ", 0), 0u) << failed.message;
+  EXPECT_TRUE(confirm(ConfirmLearning::Request::ACCEPT).success);
+  const Result stored = teacher_.await(id).result;
+  EXPECT_EQ(stored.error_code, Result::SUCCESS) << stored.message;
+  EXPECT_DOUBLE_EQ(stored.object.reference.x, 150);
+  EXPECT_TRUE(edit("corrected", EditObject::Request::DELETE).success);
 }
 
 }  // namespace
