@@ -231,7 +231,7 @@ void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
     mbncc_vision::EditObject call;
     call.request = request;
     const bool answered = calls_.call(node_, "edit_object", call);
-    Q_EMIT edited(request, answered, call.response.success,
+    Q_EMIT edited(request, answered && !call.response.retry, call.response.success,
                   answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
   list_objects();

@@ -108,7 +108,8 @@ class RosLink : public QObject {
   void score_map_heard(QImage image);
   void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
   void confirmed(bool answered, bool success, QString message);
-  void edited(mbncc_vision::EditObject::Request request, bool answered, bool success,
+  /// `settled`: carried out, or it would be refused again; false: it can be repeated.
+  void edited(mbncc_vision::EditObject::Request request, bool settled, bool success,
               QString message);
   void grasp_marked(bool success, QString message);
   /// `image`: the image with the explanation drawn into it.

@@ -51,7 +51,7 @@ void LibraryController::send(const Edit& request) {
   ros_.edit(request);
 }
 
-void LibraryController::take_edit(const Edit& request, bool answered, bool success,
+void LibraryController::take_edit(const Edit& request, bool settled, bool success,
                                   const QString& message) {
   --pending_;
   const bool undo = std::exchange(undoing_, false);
@@ -67,8 +67,8 @@ void LibraryController::take_edit(const Edit& request, bool answered, bool succe
     strip_.choose(QString::fromStdString(request.name));
   if (success && (request.command == Edit::RENAME || request.command == Edit::DELETE))
     Q_EMIT name_gone();
-  // An undo without an answer can be repeated; one that the library refuses would be refused again.
-  if (undo && answered) library_.undone();
+  // An undo that failed for a passing reason can be repeated.
+  if (undo && settled) library_.undone();
   if (!undo && success) library_.done(request);
   strip_.show_objects(library_);
   if (success && request.command == Edit::SET_THRESHOLD)

@@ -41,7 +41,7 @@ class LibraryController : public QObject {
   using Edit = mbncc_vision::EditObject::Request;
 
   void send(const Edit& request);
-  void take_edit(const Edit& request, bool answered, bool success, const QString& message);
+  void take_edit(const Edit& request, bool settled, bool success, const QString& message);
   void undo();
   void export_object(const QString& name);
   void import_object();

@@ -3,6 +3,7 @@
 
 #include <mbncc_vision/LearnedObjectArray.h>
 
+#include <stdexcept>
 #include <utility>
 
 #include "nodelets/conversion/messages.hpp"
@@ -43,9 +44,11 @@ bool LibraryServices::edit(mbncc_vision::EditObject::Request& request,
     response.object = to_msg(edited, true);
     response.success = true;
     response.message = "done";
-  } catch (const std::exception& error) {
-    response.success = false;
-    response.message = error.what();
+  } catch (const std::invalid_argument& refusal) {
+    response.message = refusal.what();
+  } catch (const std::exception& failure) {
+    response.message = failure.what();
+    response.retry = true;
   }
   return true;
 }

@@ -16,8 +16,8 @@ class LibraryControllerTest : public testing::Test {
   void disable(const std::string& name) {
     Q_EMIT strip_.edit_wanted(LibraryModel::enable(name, false));
   }
-  void answer(const Edit& request, bool answered, bool success) {
-    Q_EMIT ros_.edited(request, answered, success, "");
+  void answer(const Edit& request, bool settled, bool success) {
+    Q_EMIT ros_.edited(request, settled, success, "");
   }
   const LibraryModel& library() const { return controller_.library(); }
 
@@ -37,7 +37,7 @@ TEST_F(LibraryControllerTest, UndoWaitsForTheAnswerToTheEditThatItReverts) {
   EXPECT_EQ(library().undo().name, "wrench");
 }
 
-TEST_F(LibraryControllerTest, AnUndoWithoutAnAnswerCanBeRepeated) {
+TEST_F(LibraryControllerTest, AnUndoThatFailedForAPassingReasonCanBeRepeated) {
   disable("bracket");
   answer(LibraryModel::enable("bracket", false), true, true);
   Q_EMIT strip_.undo_wanted();

@@ -30,7 +30,7 @@ TEST(Contract, MessageDefinitionsAreUnchanged) {
   EXPECT_EQ(checksum<mbncc_vision::LearnedObjectArray>(), "b9c340d9e02571b2ba3ca68183cbd949");
   EXPECT_EQ(checksum<mbncc_vision::LearnObjectAction>(), "509cfbcd3356de008752fe0eaa45fe9b");
   EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "4350ff3484d41a8e44a913bde7c58e8b");
-  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "06d0eb9390e4706187c3e46026831fad");
+  EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "ce350f081ce29951b0130a62cb94d83b");
   EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "7556b6ed76dd87fb0ffed650ba74fee3");
   EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "234054ef030dc555acd5967f392ca395");
 }

@@ -96,9 +96,11 @@ TEST_F(Protocol, AMissingLibraryFolderIsAnErrorAndRefusesGoals) {
            health_is("learning", level, "the library cannot be read: ");
   }));
   const auto end = teacher_.await(teacher_.send(given("homeless")));
+  EXPECT_TRUE(edit("homeless", EditObject::Request::DISABLE).retry) << "the folder may come back";
   std::filesystem::rename(folder + "_away", folder);
   EXPECT_EQ(end.status.status, actionlib_msgs::GoalStatus::REJECTED);
   EXPECT_EQ(end.result.error_code, Result::STORAGE) << end.result.message;
+  EXPECT_FALSE(edit("homeless", EditObject::Request::DISABLE).retry) << "there is no such object";
   EXPECT_TRUE(spin_until([this] {
     return health_is("matching", diagnostic_msgs::DiagnosticStatus::WARN) &&
            health_is("learning", diagnostic_msgs::DiagnosticStatus::OK);
