@@ -267,6 +267,9 @@ TEST(AddViewOfABar, ThatIsNotGraspableIsMarginal) {
   EXPECT_FALSE(try_view(wrong, stored, longer));
   EXPECT_EQ(wrong.quality.verdict, Verdict::kMarginal);
   EXPECT_EQ(wrong.quality.reasons, std::vector<std::string>{"view_uncertain"});
+  ObjectModel accepted = stored;
+  EXPECT_FALSE(add_view(accepted, wrong, longer));
+  EXPECT_EQ(accepted.quality.advice.size(), 1u) << "it was doubted in the review already";
 }
 
 }  // namespace

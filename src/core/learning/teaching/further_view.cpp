@@ -35,6 +35,9 @@ bool shows_the_same(const View& one, const View& other) {
 
 /// A frame at the wrong one of two angles or on another object would turn or displace the grasp.
 void doubt_view(const Match& match, Quality& quality) {
+  // The draft of a reviewed lesson was doubted before the operator accepted it.
+  const auto& known = quality.reasons;
+  if (std::find(known.begin(), known.end(), "view_uncertain") != known.end()) return;
   std::string reasons;
   for (const auto& reason : match.reasons) reasons += (reasons.empty() ? "" : "; ") + reason;
   quality.verdict = std::max(quality.verdict, Verdict::kMarginal);
