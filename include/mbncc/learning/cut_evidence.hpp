@@ -14,7 +14,7 @@ struct CutEvidence {
   double change_outside = 0;  ///< [0..1] changed part of the strip around the region
   double change_beside = 0;   ///< [map's area] area of certain change in the region outside the map
   double unconfirmed_hole = 0;  ///< [0..1] area of holes that may belong to the object, relative to
-                                ///< the map with these holes filled; 0 for one image
+                                ///< the map with these holes filled
   double second_departure = 0;  ///< [0..1] evidence that a second object left, relative to the
                                 ///< first's: 1 for a map of several large parts; otherwise only of
                                 ///< lessons without a given place

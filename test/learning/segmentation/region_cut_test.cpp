@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <opencv2/imgproc.hpp>
+#include <string>
 
 #include "learning/images.hpp"
 #include "learning/likelihood/predicted_platform.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 const cv::Size kSize(200, 160);
 const cv::Rect kObject(70, 60, 50, 40), kRegion(55, 45, 85, 75);
+const cv::Point kCentre(95, 82);
 
 cv::Mat truth() {
   cv::Mat mask = cv::Mat::zeros(kSize, CV_8UC1);
@@ -142,6 +144,48 @@ TEST(OneImage, StabilityIsTheAgreementOfTheTwoCuts) {
   EXPECT_GT(plain.evidence->stability, 0.9);
   EXPECT_FALSE(plain.evidence->verified);
   EXPECT_LT(cut_of(scene_on_squares(20), kRegion).evidence->stability, 0.8);
+}
+
+// A dark disc whose middle has the table's colours, multiplied by `tint`.
+cv::Mat ringed_scene(const cv::Scalar& tint) {
+  cv::Mat image = table(), tinted, part = cv::Mat::zeros(kSize, CV_8UC1);
+  cv::multiply(table(), tint, tinted);
+  cv::circle(image, kCentre, 27, cv::Scalar(40, 40, 40), cv::FILLED);
+  cv::circle(part, kCentre, 19, cv::Scalar(255), cv::FILLED);
+  tinted.copyTo(image, part);
+  cv::GaussianBlur(image, image, {}, 0.8);
+  return test::exposed(image, 7);
+}
+
+const cv::Scalar kPlatform(1, 1, 1), kPalePrint(1.05, 1, 1);
+
+double hole_in(const cv::Mat& image) {
+  return cut_of(image, {50, 45, 90, 75}).evidence->unconfirmed_hole;
+}
+
+TEST(OneImage, AHoleShowsThePredictedPlatform) {
+  EXPECT_EQ(hole_in(ringed_scene(kPlatform)), 0);
+  EXPECT_EQ(hole_in(scene({40, 40, 200})), 0) << "no hole";
+  EXPECT_GT(hole_in(ringed_scene(kPalePrint)), 0.4);
+}
+
+TEST(OneImage, EveryMethodMeasuresItsHoles) {
+  const cv::Mat image = ringed_scene(kPalePrint);
+  const StageObserver silent;
+  teaching::LessonProgress progress(silent);
+  teaching::SegmentationTask task;
+  task.before = image;
+  task.region = {50, 45, 90, 75};
+  task.approximate = cv::Mat::zeros(kSize, CV_8UC1);
+  cv::circle(task.approximate, kCentre, 23, cv::Scalar(255), 8);
+  for (const std::string method : {"region_cut", "grabcut_mask"}) {
+    const teaching::Segmentation cut = teaching::segmenter_of(method, false)(task, {}, progress);
+    EXPECT_GT(cut.evidence->unconfirmed_hole, 0.4) << method;
+    cv::Mat exclude = cv::Mat::zeros(kSize, CV_8UC1);
+    cv::circle(exclude, kCentre, 4, cv::Scalar(255), cv::FILLED);
+    const teaching::Segmentation ring = cut.cut_again({cv::Mat::zeros(kSize, CV_8UC1), exclude});
+    EXPECT_EQ(ring.evidence->unconfirmed_hole, 0) << method << ": the stroke says platform";
+  }
 }
 
 TEST(OneImage, AStrokeDoesNotReplaceTheSecondImage) {

@@ -150,7 +150,7 @@ CutEvidence Cutter::evidence() const {
                                       smoothness_, half_);
   evidence.shadow_like = shadow_like_;
   evidence.verified = verified_;
-  if (verified_) evidence.unconfirmed_hole = unconfirmed_hole(map_, before_, after_, exclude_);
+  evidence.unconfirmed_hole = unconfirmed_hole(map_, before_, after_, exclude_);
   return evidence;
 }
 

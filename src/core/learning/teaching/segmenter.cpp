@@ -5,6 +5,7 @@
 #include <opencv2/imgproc.hpp>
 #include <stdexcept>
 
+#include "learning/likelihood/predicted_platform.hpp"
 #include "learning/segmentation/clean_map.hpp"
 #include "learning/segmentation/cut_evidence.hpp"
 #include "learning/segmentation/map_measures.hpp"
@@ -70,11 +71,21 @@ Segmentation by_colours(const cv::Mat& map, CutEvidence evidence, const Segmenta
   return {map, evidence, cut_again, {}};
 }
 
-// Colours alone give no measure of a cut's reliability.
+// A part of the object with other colours and a hole look the same in a map; a hole shows the
+// platform, as the region's surroundings predict it.
+double unconfirmed_hole_of(const cv::Mat& map, const SegmentationTask& task) {
+  if (segmentation::enclosed_part(map, cv::Mat()) == 0) return 0;
+  const alignment::AlignedPair pair = likelihood::predict_platform(task.before, task.region);
+  return segmentation::unconfirmed_hole(map(pair.window), pair.before, pair.after, cv::Mat());
+}
+
+// Colours alone measure only whether holes show the platform.
 Segmentation unverified(const cv::Mat& raw, const SegmentationTask& task) {
-  CutEvidence none;
-  none.verified = false;
-  return by_colours(segmentation::clean_map(raw), none, task);
+  const cv::Mat map = segmentation::clean_map(raw);
+  CutEvidence evidence;
+  evidence.verified = false;
+  evidence.unconfirmed_hole = unconfirmed_hole_of(map, task);
+  return by_colours(map, evidence, task);
 }
 
 Segmentation by_sb_grabcut(const SegmentationTask& task, const LearningConfig& config,
