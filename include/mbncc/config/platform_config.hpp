@@ -9,17 +9,22 @@
 namespace mbncc {
 
 struct PlatformConfig {
-  std::string platform_frame;    ///< tf frame whose x-y plane is the platform; "": use the distance
-  double platform_distance = 0;  ///< [m] along the optical axis; 0: unknown
-  bool rectified = true;         ///< images are rectified: P of camera_info, else K and D
-  std::string camera_frame;      ///< optical frame; "": the images' frame_id
-  double max_info_age = 60;      ///< [s] age after which a camera_info is no longer used
+  std::string platform_frame;  ///< tf frame whose x-y plane is the platform; "": use the distance
+  std::string platform_intrinsics;  ///< camera that platform_frame was calibrated with
+  double platform_distance = 0;     ///< [m] along the optical axis; 0: unknown
+  bool rectified = true;            ///< images are rectified: P of camera_info, else K and D
+  std::string camera_frame;         ///< optical frame; "": the images' frame_id
+  double max_info_age = 60;         ///< [s] age after which a camera_info is no longer used
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
     visit(FieldInfo{"platform_frame", Allowed::frame(), "",
                     "tf frame whose x-y plane is the platform; empty: platform_distance"},
           self.platform_frame);
+    visit(FieldInfo{"platform_intrinsics", Allowed::anything(), "",
+                    "camera that platform_frame was calibrated with, as calibrate_platform writes "
+                    "it; with another one there are no poses in metres; empty: not compared"},
+          self.platform_intrinsics);
     visit(FieldInfo{"platform_distance", Allowed::range(0, 100), "m",
                     "distance of the platform along the optical axis; 0: unknown"},
           self.platform_distance);

@@ -159,9 +159,11 @@ void CalibrationPane::compute() {
 
 void CalibrationPane::show_kept(bool success, const QString& message) {
   result_text_->setText(success
-                            ? "Stored. The platform's pose still rests on the old calibration: "
-                              "lay the board flat on the platform, press Platform, and start the "
-                              "cell again with the result before its poses are used."
+                            ? "Stored. The platform's pose still rests on the old calibration, so "
+                              "there are no poses in metres if calibrate_platform measured it: lay "
+                              "the board flat on the platform, press Platform, and start the cell "
+                              "again with the result. A pose measured by other means is used on: "
+                              "measure it again before a robot moves."
                             : "Not kept: " + message);
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "nodelets/conversion/calibration.hpp"
+#include "nodelets/conversion/platform_intrinsics.hpp"
 #include "nodelets/conversion/tf_wait.hpp"
 
 namespace mbncc::nodelets {
@@ -52,12 +53,14 @@ TopView::TopView(const RectifyConfig& config) : config_(config) {
     throw std::invalid_argument(
         "top_view needs the platform's tf frame: set platform_frame, or start the cell with "
         "platform:= the folder that calibrate_platform wrote");
+  check_platform_intrinsics(config.platform_intrinsics);
 }
 
 RectifiedView TopView::view(const sensor_msgs::CameraInfo& info, const std_msgs::Header& header,
                             cv::Size size) {
   const std::string camera = config_.camera_frame.empty() ? header.frame_id : config_.camera_frame;
   std::string fault = fault_of_calibration(info, config_.rectified, size);
+  if (fault.empty()) fault = fault_of_platform_intrinsics(config_.platform_intrinsics, info);
   if (camera.empty())
     fault = "the images have no frame_id; let the camera set header.frame_id, or set camera_frame";
   if (!fault.empty()) return refused(fault);

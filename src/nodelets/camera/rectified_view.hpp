@@ -37,12 +37,13 @@ RectifiedView without_distortion(const sensor_msgs::CameraInfo& info,
 /// camera's with `_top_view` appended, is sent as a static transform.
 class TopView {
  public:
-  /// Throws std::invalid_argument without a platform_frame.
+  /// Throws std::invalid_argument without a platform_frame, ConfigError for invalid
+  /// platform_intrinsics.
   explicit TopView(const RectifyConfig& config);
 
-  /// The view for an image of `size`. It has a fault if the platform's direction is unknown or
-  /// differs from that in the first image: the frame is static, and a lesson compares images of one
-  /// view.
+  /// The view for an image of `size`. It has a fault if the platform was calibrated with another
+  /// camera, or if its direction is unknown or differs from that in the first image: the frame is
+  /// static, and a lesson compares images of one view.
   RectifiedView view(const sensor_msgs::CameraInfo& info, const std_msgs::Header& header,
                      cv::Size size);
 

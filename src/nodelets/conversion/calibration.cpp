@@ -5,6 +5,7 @@
 
 #include "mbncc/cell/top_view.hpp"
 #include "nodelets/conversion/camera_model.hpp"
+#include "nodelets/conversion/platform_intrinsics.hpp"
 #include "nodelets/conversion/rays.hpp"
 #include "nodelets/conversion/tf_wait.hpp"
 
@@ -63,7 +64,9 @@ Calibration calibrate(const PlatformConfig& config, const sensor_msgs::CameraInf
         "camera_frame");
   if (info == nullptr) return uncalibrated(kNoCameraInfo);
   try {
-    const std::string fault = fault_of_calibration(*info, config.rectified, size);
+    std::string fault = fault_of_calibration(*info, config.rectified, size);
+    if (fault.empty() && !config.platform_frame.empty())
+      fault = fault_of_platform_intrinsics(config.platform_intrinsics, *info);
     if (!fault.empty()) return uncalibrated(fault);
     return over_platform(*rays_of(*info, config.rectified, size), config, header, size, tf);
   } catch (const tf2::TransformException& error) {

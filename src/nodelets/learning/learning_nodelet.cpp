@@ -22,6 +22,7 @@
 #include "nodelets/common/health_report.hpp"
 #include "nodelets/common/interrupt_watch.hpp"
 #include "nodelets/common/parameters.hpp"
+#include "nodelets/conversion/platform_intrinsics.hpp"
 #include "nodelets/learning/confirmation.hpp"
 #include "nodelets/learning/image_feed.hpp"
 #include "nodelets/learning/lesson_display.hpp"
@@ -98,6 +99,7 @@ class LearningNodelet : public GuardedNodelet {
 void LearningNodelet::start() {
   ros::NodeHandle own_node = node();
   read_parameters(private_node(), field_rows(config_), {kSearchNamespace});
+  check_platform_intrinsics(config_.platform.platform_intrinsics);
   config_.cell_name = cell_name(config_.cell_name, own_node.getNamespace());
   MatchingNodeConfig matching;
   read_parameters(ros::NodeHandle(private_node(), kSearchNamespace), field_rows(matching));

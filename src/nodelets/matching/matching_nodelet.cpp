@@ -24,6 +24,7 @@
 #include "nodelets/common/parameters.hpp"
 #include "nodelets/common/reconfigure.hpp"
 #include "nodelets/conversion/messages.hpp"
+#include "nodelets/conversion/platform_intrinsics.hpp"
 #include "nodelets/matching/detection_publisher.hpp"
 #include "nodelets/matching/explain_service.hpp"
 #include "nodelets/matching/find_service.hpp"
@@ -45,6 +46,7 @@ const std::vector<std::string> kLiveParameters{
 /// Throws with a message if parameters that are individually valid contradict each other.
 void check(const MatchingNodeConfig& config) {
   parse_roi(config.search_roi);
+  check_platform_intrinsics(config.platform.platform_intrinsics);
   InstanceTracker{tracker_config(config)};
 }
 
@@ -262,6 +264,12 @@ void MatchingNodelet::diagnose(diagnostic_updater::DiagnosticStatusWrapper& stat
   add_to(status, statistics);
   status.add("library", matcher_->folder());
   status.add("objects", library->objects.size());
+  const PlatformConfig& platform = settings_->initial().platform;
+  if (!platform.platform_frame.empty())
+    status.add("platform calibrated with", platform.platform_intrinsics.empty()
+                                               ? "unknown: a new calibration of the camera would "
+                                                 "not be noticed; run calibrate_platform again"
+                                               : platform.platform_intrinsics);
   status.add(kQuarantinedKey, library->quarantined.size());
 }
 

@@ -8,12 +8,15 @@
 #include <ros/ros.h>
 #include <sensor_msgs/CameraInfo.h>
 #include <sensor_msgs/Image.h>
+#include <tf2_msgs/TFMessage.h>
 #include <tf2_ros/transform_broadcaster.h>
 
 #include <algorithm>
 #include <cstdlib>
 #include <memory>
 #include <opencv2/imgproc.hpp>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "mbncc/learning/learn_object.hpp"
@@ -125,6 +128,7 @@ class ImageFaults : public testing::Test {
   ros::Subscriber detections_;
   DetectedObjectArray::ConstPtr array_;
   int answers_ = 0;
+  std::set<std::string> frames_;  // sent by tf
   ros::Time last_stamp_;
   std::unique_ptr<nodelet::Loader> loader_;
 };
@@ -185,6 +189,37 @@ TEST_F(ImageFaults, AnOldCameraInfoIsIgnored) {
   EXPECT_EQ(array_->status, DetectedObjectArray::UNCALIBRATED);
   EXPECT_NE(array_->message.find("max_info_age"), std::string::npos) << array_->message;
   EXPECT_TRUE(spin_until([&] { return is_posed(true); })) << "a new one counts";
+}
+
+TEST_F(ImageFaults, APlatformOfAnotherCameraGivesNoMetres) {
+  tf2_ros::TransformBroadcaster broadcaster;
+  geometry_msgs::TransformStamped platform;
+  platform.header.frame_id = kCameraFrame;
+  platform.child_frame_id = kPlatformFrame;
+  platform.transform.translation.z = 0.5;
+  platform.transform.rotation.x = 1;  // its z axis points at the camera
+  const auto is_posed = [&] {
+    platform.header.stamp = ros::Time::now() + ros::Duration(1);
+    broadcaster.sendTransform(platform);
+    const DetectedObjectArray& array = show(part_there_);
+    return !array.objects.empty() && array.objects[0].pose_valid;
+  };
+  const auto tf = node_.subscribe<tf2_msgs::TFMessage>(
+      "/tf", 100, [&](const tf2_msgs::TFMessage::ConstPtr& message) {
+        for (const auto& one : message->transforms) frames_.insert(one.child_frame_id);
+      });
+  ros::param::set("/matching/platform_intrinsics", "rectified 160 120 201 201 80 60");
+  load(kPlatformFrame);
+  for (int i = 0; i < 30; ++i) {
+    EXPECT_FALSE(is_posed());
+    EXPECT_EQ(array_->status, DetectedObjectArray::UNCALIBRATED);
+  }
+  EXPECT_NE(array_->message.find("another calibration"), std::string::npos) << array_->message;
+  EXPECT_EQ(array_->objects.size(), 1u) << "in pixels";
+  EXPECT_EQ(frames_, std::set<std::string>{kPlatformFrame});
+  ros::param::set("/matching/platform_intrinsics", "rectified 160 120 200 200 80 60");
+  load(kPlatformFrame);
+  EXPECT_TRUE(spin_until(is_posed)) << "of the same camera";
 }
 
 /// Latencies of the images, and what their arrays contained.

@@ -310,5 +310,28 @@ TEST(Calibration, APlatformNotInFrontOfTheCameraIsRefused) {
   EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform);
 }
 
+TEST(Calibration, APlatformOfAnotherCameraIsRefused) {
+  auto info = strong_lens();
+  tf2_ros::Buffer tf;
+  PlatformConfig config;
+  config.platform_frame = "platform";
+  config.platform_intrinsics = "rectified 1280 960 800 800 600 500";
+  geometry_msgs::TransformStamped transform;
+  transform.header.frame_id = "camera";
+  transform.header.stamp = ros::Time(10);
+  transform.child_frame_id = "platform";
+  transform.transform.rotation.w = 1;
+  transform.transform.translation.z = 0.8;
+  tf.setTransform(transform, "test");
+  EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform);
+  info.P[0] = info.P[5] = 805;
+  const auto none = calibrate(config, &info, header(), kSize, tf);
+  EXPECT_FALSE(none.platform);
+  EXPECT_NE(none.fault.find("calibrate the platform again"), std::string::npos) << none.fault;
+  config.platform_frame.clear();
+  config.platform_distance = 0.8;
+  EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform) << "of the frame only";
+}
+
 }  // namespace
 }  // namespace mbncc::nodelets

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A tilted camera whose images are shown as seen from straight above.
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
+#include <nodelet/loader.h>
 #include <ros/ros.h>
+#include <sensor_msgs/Image.h>
 #include <tf2_eigen/tf2_eigen.h>
 #include <tf2_ros/static_transform_broadcaster.h>
 #include <tf2_ros/transform_listener.h>
@@ -39,6 +42,34 @@ class TopView : public SimulatedCell {
     return truth.inverse() * T_camera_view * found;
   }
 
+  /// A second rectify nodelet, whose platform was calibrated with another focal length.
+  void expect_no_view_of_another_camera() {
+    ros::param::set("/other/top_view", true);
+    ros::param::set("/other/platform_frame", "platform");
+    ros::param::set("/other/platform_intrinsics",
+                    "plumb_bob 480 360 341 341 239.5 179.5 -0.1 0 0 0 0");
+    nodelet::Loader loader(false);
+    ASSERT_TRUE(loader.load("/other", "mbncc_vision/RectifyNodelet",
+                            {{"/image_raw", "/cell9/image_raw"},
+                             {"/camera_info", "/cell9/camera_info"},
+                             {"/top_view/image_rect", "/other/image_rect"},
+                             {"/top_view/camera_info", "/other/camera_info"}},
+                            {}));
+    int views = 0;
+    std::string fault;
+    const auto images = node_.subscribe<sensor_msgs::Image>(
+        "/other/image_rect", 10, [&](const sensor_msgs::Image::ConstPtr&) { ++views; });
+    const auto reports = node_.subscribe<diagnostic_msgs::DiagnosticArray>(
+        "/diagnostics", 20, [&](const diagnostic_msgs::DiagnosticArray::ConstPtr& report) {
+          for (const auto& status : report->status)
+            if (status.level == status.ERROR) fault += status.name + ": " + status.message;
+        });
+    EXPECT_TRUE(spin_until([&] {
+      return fault.find("measured with another calibration of the camera") != std::string::npos;
+    })) << fault;
+    EXPECT_EQ(views, 0);
+  }
+
   tf2_ros::Buffer tf_;
   tf2_ros::TransformListener listener_{tf_};
 };
@@ -54,6 +85,8 @@ TEST_F(TopView, PosesOfATiltedCameraAreTrueUntilItIsMoved) {
     const Eigen::AngleAxisd turn(first->linear().transpose() * offset->linear());
     EXPECT_LE(to_degrees(turn.angle()), 0.15) << place;
   }
+
+  expect_no_view_of_another_camera();
 
   auto moved = tf_.lookupTransform(kCamera, "platform", ros::Time(0));
   moved.transform.rotation = tf2::toMsg(

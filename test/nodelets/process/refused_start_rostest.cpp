@@ -73,6 +73,11 @@ TEST_F(RefusedStart, ValueOutOfRange) {
                  "confirm_window, which is 5");
 }
 
+TEST_F(RefusedStart, IntrinsicsThatCannotBeRead) {
+  for (const char* type : {"LearningNodelet", "MatchingNodelet"})
+    expect_refusal(type, "platform_intrinsics", "plumb_bob 640 480", "calibrate_platform");
+}
+
 TEST_F(RefusedStart, SceneThatCannotBeDrawn) {
   expect_refusal("SimulatedCameraNodelet", "object_diameter", 600.0, "do not fit");
 }

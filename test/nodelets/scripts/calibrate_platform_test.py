@@ -69,7 +69,9 @@ class CalibratePlatformTest(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.expect_true_pose(0.001, 0.3)
         with open(self.path("out/platform.yaml"), encoding="utf-8") as file:
-            self.assertEqual(yaml.safe_load(file), {"platform_frame": "platform"})
+            self.assertEqual(yaml.safe_load(file), {
+                "platform_frame": "platform", "platform_intrinsics":
+                "plumb_bob 640 480 600.0 605.0 310.0 245.0 -0.2 0.05 0.001 -0.001 0.0"})
         self.assertIn("looks the same after half a turn", done.stdout)
         self.assertRegex(done.stdout, r"height uncertain by up to 0\.\d\d mm at the image's edge")
 
@@ -141,6 +143,18 @@ class CalibratePlatformTest(unittest.TestCase):
         with self.assertRaisesRegex(calibrate_platform.Fault, "--rectified"):
             calibrate_platform.Camera(camera, False)
         calibrate_platform.Camera(camera, True)
+
+    def test_the_stated_intrinsics_are_those_used(self):
+        info = yaml.safe_load(camera_yaml())
+        info["projection_matrix"]["data"][:2] = [555.5, 0]
+        self.assertEqual(calibrate_platform.Camera(info, True).intrinsics, "rectified 640 480 555.5 605.0 310.0 245.0")
+        info.update(distortion_model="", distortion_coefficients={"data": [0] * 5})
+        camera = calibrate_platform.Camera(info, False)
+        camera.see_through(types.SimpleNamespace(x_offset=8, y_offset=8, width=100, height=100), np.array([2, 2]))
+        self.assertEqual(camera.intrinsics, "plumb_bob 640 480 600.0 605.0 310.0 245.0", "of the whole sensor")
+        info.update(distortion_model="equidistant", distortion_coefficients={"data": [0] * 4})
+        self.assertEqual(calibrate_platform.Camera(info, False).intrinsics,
+                         "equidistant 640 480 600.0 605.0 310.0 245.0 0.0 0.0 0.0 0.0")
 
     def test_region_and_binning_are_those_of_the_sensor(self):
         camera = calibrate_platform.Camera(yaml.safe_load(camera_yaml()), False)

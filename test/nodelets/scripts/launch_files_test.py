@@ -277,7 +277,7 @@ class Platform(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = folder.name
         for name, text in (("platform.launch", "<launch><param name='published' value='1'/></launch>"),
-                           ("platform.yaml", "{platform_frame: table}")):
+                           ("platform.yaml", "{platform_frame: table, platform_intrinsics: stated}")):
             with open(os.path.join(self.folder, name), "w", encoding="utf-8") as file:
                 file.write(text)
 
@@ -287,6 +287,17 @@ class Platform(unittest.TestCase):
             self.assertEqual(loaded["/published"], 1)
             for nodelet in ("learning", "matching"):
                 self.assertEqual(loaded["/" + nodelet + "/platform_frame"], "table")
+
+    def intrinsics(self, *arguments):
+        loaded = parameters("cell.launch", "platform:=" + self.folder, *arguments)
+        return [loaded.get("/" + nodelet + "/platform_intrinsics") for nodelet in ("learning", "matching", "rectify")]
+
+    def test_is_compared_with_the_camera_that_it_was_calibrated_with(self):
+        self.assertEqual(self.intrinsics(), ["stated", "stated", None])
+        self.assertEqual(self.intrinsics("rectify:=true"), ["stated", "stated", ""])
+        self.assertEqual(self.intrinsics("top_view:=true"), ["", "", "stated"], "by the nodelet that sees the camera")
+        self.assertEqual(self.intrinsics("platform_frame:=other"), ["", "", None], "which is of another frame")
+        self.assertEqual(self.intrinsics("platform_frame:=other", "top_view:=true"), ["", "", ""])
 
     def test_of_each_of_two_cells(self):
         loaded = parameters("cells.launch", "left_platform:=" + self.folder)
