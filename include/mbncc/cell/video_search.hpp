@@ -12,7 +12,8 @@ namespace mbncc {
 
 /// Approximates Matcher::find() at a cost proportional to the change between the images:
 /// - An instance whose pixels have not changed since its detection is reported again (Match::fresh
-/// is false). One whose pixels changed is searched for again nearby and dropped if it is not found.
+/// is false). One whose pixels changed, or whose last search was half a second ago, is searched for
+/// again nearby and dropped if it is not found.
 /// - A place that changed and is at rest again is searched for every object, missing ones first,
 /// with a bounded effort per image. Until all have been searched there, nothing found at the
 /// place is graspable, because another object may fit better.

@@ -12,6 +12,9 @@ namespace mbncc::incremental_search {
 namespace {
 
 constexpr int kMostSearches = 10;  // searches for an instance at rest, whose poses are averaged
+// [s] An instance at rest is searched for again after this time. The change map does not detect a
+// creeping object, or only after some pixels if its contrast is low in noise.
+constexpr double kSearchEvery = 0.5;
 
 cv::Rect square_about(const cv::Point2d& middle, double reach) {
   const int side = 2 * static_cast<int>(std::ceil(reach)) + 1;
@@ -74,6 +77,7 @@ SearchResult FrameSearch::search_changes() {
   if (changes.has_changed_globally() && !changes.settled().empty()) return search_whole_image();
   note_settled();
   verify_touched();
+  search_overdue();
   search_hidden();
   search_pending(kLost);
   sweep();
@@ -173,6 +177,7 @@ Instance FrameSearch::instance_from(const Match& match) const {
                      [&](const Competitor& competitor) { return competitor.name != match.name; }),
       own.end());
   instance.in_motion = is_in_motion(instance.box());
+  instance.searched_at = stamp_;
   return instance;
 }
 
@@ -302,6 +307,30 @@ void FrameSearch::compare_with_open_objects() {
     }
 }
 
+/// Searches again for one of the known instances. Its neighbours may be found as well.
+bool FrameSearch::renew(const Instance& known) {
+  auto& instances = memory_.instances.all();
+  const std::vector<Instance> before = instances;
+  const auto index = &known - instances.data();
+  instances.erase(instances.begin() + index);
+  return find_again(before[static_cast<std::size_t>(index)], before);
+}
+
+/// Searches for the instance whose last search is the longest ago if that is kSearchEvery, and for
+/// further ones after twice that time, whatever else is searched in this image. One that is not
+/// found may be elsewhere.
+void FrameSearch::search_overdue() {
+  auto& instances = memory_.instances.all();
+  for (double limit = kSearchEvery;; limit = 2 * kSearchEvery) {
+    const auto oldest = std::min_element(
+        instances.begin(), instances.end(),
+        [](const Instance& a, const Instance& b) { return a.searched_at < b.searched_at; });
+    if (oldest == instances.end() || stamp_ - oldest->searched_at < limit) return;
+    const std::string name = oldest->match.name;
+    if (!renew(*oldest)) memory_.objects.at(name).urgent = true;
+  }
+}
+
 /// Instances at rest are searched for a few more times, so that their poses can be averaged.
 void FrameSearch::search_again() {
   if (search_.spent() > 0) return;
@@ -310,9 +339,7 @@ void FrameSearch::search_again() {
       instances.begin(), instances.end(),
       [](const Instance& a, const Instance& b) { return a.searches < b.searches; });
   if (least == instances.end() || least->searches >= kMostSearches) return;
-  const std::vector<Instance> before{*least};
-  instances.erase(least);
-  find_again(before.front(), before);
+  renew(*least);
 }
 
 /// Adds a match to the known instances; null if a better one is there. `before` may contain the

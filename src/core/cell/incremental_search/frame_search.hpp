@@ -48,6 +48,8 @@ class FrameSearch {
   void search_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
   void compare_with_open_objects();
+  bool renew(const Instance& known);
+  void search_overdue();
   void search_again();
   Instance* admit(const Match& match, const std::vector<Instance>& before);
   void schedule_new_instance(const Instance& one);

@@ -26,6 +26,7 @@ struct Instance {
   std::map<std::string, std::optional<Competitor>> others;
   bool in_motion = false;  ///< its pixels differed from the reference and were not at rest
   int searches = 1;        ///< searches since its pixels changed last
+  double searched_at = 0;  ///< [s] stamp of its last search
 
   cv::Rect box() const;  ///< [px] bounding box of its outline
 
