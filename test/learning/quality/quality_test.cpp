@@ -58,6 +58,23 @@ TEST(Quality, IsGoodForAGoodMap) {
   EXPECT_GT(quality.search_time, 0);
 }
 
+TEST(Quality, AFarSpeckInAGivenMapIsNotGood) {
+  const DrawnLesson drawn = draw_lesson();
+  cv::Mat map = drawn.truth.clone();
+  const cv::Rect speck(3, 5, 3, 3);
+  ASSERT_EQ(cv::countNonZero(map(speck)), 0);
+  map(speck).setTo(255);
+  const Quality quality = quality_of(drawn.lesson.before, map);
+  EXPECT_EQ(quality.verdict, Verdict::kMarginal);
+  ASSERT_TRUE(has_reason(quality, "detached_part"));
+  EXPECT_EQ(quality.reasons.front(), "detached_part") << "the worst first";
+  EXPECT_EQ(quality.reasons.size(), quality.advice.size());
+  EXPECT_NE(quality.advice.front().find("of 9 px at x 4, y 6 enlarges"), std::string::npos)
+      << quality.advice.front();
+  EXPECT_FALSE(has_reason(quality_of(drawn.lesson.before, map, CutEvidence()), "detached_part"))
+      << "of a cut, it belongs to the object";
+}
+
 TEST(Quality, ChangeAgreesWithTheTrueMap) {
   const DrawnLesson drawn = draw_lesson();
   const Quality quality = assess_quality(

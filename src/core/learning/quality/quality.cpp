@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/learning/quality.hpp"
 
+#include <algorithm>
+
+#include "learning/quality/detached_part.hpp"
 #include "learning/quality/rotation_profile.hpp"
 #include "learning/quality/self_search.hpp"
 #include "learning/quality/verdict.hpp"
@@ -32,6 +35,19 @@ void propose(int symmetry, Quality& quality) {
                            " if the grasp works at either angle.");
 }
 
+// No cut has removed specks from a given map. The operator knows whether the part belongs to it.
+void doubt(const quality::DetachedPart& part, Quality& quality) {
+  const bool is_worst = quality.verdict == Verdict::kGood;
+  const auto at = is_worst ? 0 : static_cast<std::ptrdiff_t>(quality.reasons.size());
+  quality.verdict = std::max(quality.verdict, Verdict::kMarginal);
+  quality.reasons.insert(quality.reasons.begin() + at, "detached_part");
+  quality.advice.insert(quality.advice.begin() + at,
+                        "A separate part of " + std::to_string(part.area) + " px at x " +
+                            std::to_string(part.centre.x) + ", y " + std::to_string(part.centre.y) +
+                            " enlarges the object and moves its reference point: remove it from "
+                            "the map, unless it belongs to the object.");
+}
+
 }  // namespace
 
 Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const cv::Mat& changed,
@@ -50,6 +66,8 @@ Quality assess_quality(const ObjectModel& object, const cv::Mat& before, const c
   const quality::RotationProfile profile(view, before);
   quality.angle_halfwidth = profile.fall_to((quality.self_score + quality.runner_up) / 2);
   quality::decide(quality, segmentation::touches_border(map), evidence, config, search);
+  if (const auto part = evidence ? std::nullopt : quality::detached_part(map))
+    doubt({part->area, part->centre + around.tl()}, quality);
   if (!object.symmetry && measured.possible != measured.certain)
     propose(measured.possible, quality);
   return quality;
