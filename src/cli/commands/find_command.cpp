@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <algorithm>
 #include <iostream>
-#include <set>
 
 #include "cli/command.hpp"
 #include "cli/images.hpp"
@@ -13,6 +11,7 @@
 #include "cli/terminal/progress.hpp"
 #include "mbncc/error.hpp"
 #include "mbncc/matching/matcher.hpp"
+#include "mbncc/matching/named_objects.hpp"
 
 namespace mbncc::cli {
 namespace {
@@ -37,26 +36,6 @@ std::unique_ptr<MatchReport> report_for(const Arguments& arguments) {
   if (arguments.has("--csv")) return csv_report(std::cout);
   if (arguments.has("--json")) return json_report(std::cout);
   return plain_report(std::cout);
-}
-
-/// Removes what concerns objects other than `names`. All objects are searched, so that look-alikes
-/// compete.
-void keep_named(const std::vector<std::string>& names, const LibrarySnapshot& library,
-                SearchResult& result) {
-  if (names.empty()) return;
-  const auto is_other = [&names](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) == names.end();
-  };
-  const auto drop = [](auto& items, const auto& is_dropped) {
-    items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
-  };
-  drop(result.matches, [&](const Match& match) { return is_other(match.name); });
-  drop(result.searched, is_other);
-  drop(result.limited, is_other);
-  drop(result.skipped,
-       [&](const std::string& reason) { return is_other(reason.substr(0, reason.find(':'))); });
-  for (const auto& name : std::set<std::string>(names.begin(), names.end()))
-    if (!named_object(library, name)->enabled) result.skipped.push_back(name + ": disabled");
 }
 
 SearchResult searched(const Matcher& matcher, const std::string& image_path, const cv::Mat& image,

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mbncc/cell/stamp_gate.hpp"
+#include "mbncc/matching/named_objects.hpp"
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/conversion/messages.hpp"
 #include "nodelets/matching/frame_permission.hpp"
@@ -56,26 +57,12 @@ SearchRequest search_request(const Request& request, const MatchingNodeConfig& c
   return search;
 }
 
-/// Removes the objects that were not requested. All objects are searched, so that look-alikes
-/// compete.
-void keep_named(DetectedObjectArray& array, const std::vector<std::string>& names,
-                const LibrarySnapshot& library) {
-  if (names.empty()) return;
-  const auto is_other = [&names](const std::string& name) {
-    return std::find(names.begin(), names.end(), name) == names.end();
-  };
-  const auto drop = [](auto& items, const auto& is_dropped) {
-    items.erase(std::remove_if(items.begin(), items.end(), is_dropped), items.end());
-  };
-  drop(array.objects, [&](const auto& object) { return is_other(object.name); });
-  drop(array.searched, is_other);
-  drop(array.skipped,
-       [&](const std::string& reason) { return is_other(reason.substr(0, reason.find(':'))); });
-  for (const auto& name : names) {
-    const auto known = library.find(name);
-    if (!known) array.skipped.push_back(name + ": unknown");
-    if (known && !known->enabled) array.skipped.push_back(name + ": disabled");
-  }
+/// What concerns the requested objects. All objects are searched, so that look-alikes compete.
+TrackedImage requested(const Request& request, TrackedImage tracked) {
+  keep_named(request.names, *tracked.found.library, tracked.found.result);
+  erase_others(request.names, tracked.matches,
+               [](const TrackedMatch& match) { return match.match.name; });
+  return tracked;
 }
 
 /// Removes the instance ids. Every call tracks its own instances, whose ids would be confused with
@@ -145,7 +132,6 @@ bool FindService::on_call(Request& request, Response& response) {
   try {
     if (call.is_one_too_many()) refuse_busy();
     Detections detections = find(request);
-    keep_named(detections.array, request.names, *detections.library);
     clear_instance_ids(detections.array);
     permit_frames(detections.array, ros::Time::now(), false);
     response.detections = detections.array;
@@ -183,7 +169,7 @@ Detections FindService::find_given(const Request& request, const MatchingNodeCon
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
   const auto search = search_request(request, config, decoded.image.size());
   const auto lock = lock_search(deadline);
-  return pipeline.process(received, search);
+  return pipeline.describe(received, requested(request, pipeline.track(received, search)));
 }
 
 Detections FindService::find_live(const Request& request, const MatchingNodeConfig& config,
@@ -205,7 +191,7 @@ Detections FindService::find_live(const Request& request, const MatchingNodeConf
     const auto lock = lock_search(deadline);
     tracked = pipeline.track(received, search);
   }
-  return pipeline.describe(received, tracked);
+  return pipeline.describe(received, requested(request, std::move(tracked)));
 }
 
 ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
