@@ -55,19 +55,19 @@ mbncc_vision::LearnObjectResult LessonStore::store(const LearnResult& learned,
 }
 
 ObjectModel LessonStore::save(ObjectModel model, const Calibration& calibration,
-                              std::string& lacking) const {
+                              std::string& lacking) {
   using Existing = ObjectLibrary::Existing;
   const Storing storing = storing_of(goal_);
   return tools_.library.change([&](ObjectLibrary& library) {
     if (storing == Storing::kAddView)
-      return library.edit(name_, [&](ObjectModel& stored) {
+      return attempts_.add_view(library, name_, [&](ObjectModel& stored) {
         if (const auto refusal = add_view(stored, model, images_.before().image, tools_.search))
           end_lesson(outcome(*refusal));
         lacking = measure(stored, calibration);
       });
     lacking = measure(model, calibration);
-    return library.save(model,
-                        storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
+    return attempts_.save(library, model,
+                          storing == Storing::kReplace ? Existing::kReplace : Existing::kRefuse);
   });
 }
 

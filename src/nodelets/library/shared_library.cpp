@@ -23,7 +23,7 @@ void SharedLibrary::refresh(bool always) {
     if (always || library_.changed_on_disk()) load();
     note("");
   } catch (const std::exception& error) {
-    note(std::string("the library cannot be read: ") + error.what());
+    note_unreadable(error);
     throw;
   }
 }
@@ -31,6 +31,10 @@ void SharedLibrary::refresh(bool always) {
 void SharedLibrary::note(const std::string& fault) {
   const std::lock_guard<std::mutex> lock(snapshot_mutex_);
   fault_ = fault;
+}
+
+void SharedLibrary::note_unreadable(const std::exception& error) {
+  note(std::string("the library cannot be read: ") + error.what());
 }
 
 std::string SharedLibrary::fault() const {
@@ -46,7 +50,12 @@ void SharedLibrary::check_storage() const {
 ObjectModel SharedLibrary::change(const std::function<ObjectModel(ObjectLibrary&)>& change) {
   const std::lock_guard<std::mutex> lock(library_mutex_);
   const ObjectModel changed = change(library_);
-  load();
+  try {
+    load();
+  } catch (const std::exception& error) {
+    // The change is made; to repeat it would fail. The next refresh() reads it.
+    note_unreadable(error);
+  }
   return changed;
 }
 

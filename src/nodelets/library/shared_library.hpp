@@ -2,6 +2,7 @@
 // The library shared by one nodelet's threads: one open folder, one current snapshot.
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -33,12 +34,14 @@ class SharedLibrary {
   /// See ObjectLibrary::check_storage().
   void check_storage() const;
 
-  /// Runs `change` on the library, then reads it again. Throws what `change` throws.
+  /// Runs `change` on the library, then reads it again; if that fails, fault() tells. Throws what
+  /// `change` throws.
   ObjectModel change(const std::function<ObjectModel(ObjectLibrary&)>& change);
 
  private:
   void load();
   void note(const std::string& fault);
+  void note_unreadable(const std::exception& error);
 
   mutable std::mutex snapshot_mutex_;
   mutable std::mutex library_mutex_;  // locked before snapshot_mutex_
