@@ -217,20 +217,20 @@ void RosLink::cancel(const std::string& goal) {
 }
 
 void RosLink::confirm(const mbncc_vision::ConfirmLearning::Request& request) {
-  calls_.later([this, request] {
+  teaching_calls_.later([this, request] {
     mbncc_vision::ConfirmLearning call;
     call.request = request;
-    const bool answered = calls_.call(node_, "confirm_learning", call);
+    const bool answered = teaching_calls_.call(node_, "confirm_learning", call);
     Q_EMIT confirmed(answered, call.response.success,
                      answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
 }
 
 void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
-  calls_.later([this, request] {
+  teaching_calls_.later([this, request] {
     mbncc_vision::EditObject call;
     call.request = request;
-    const bool answered = calls_.call(node_, "edit_object", call);
+    const bool answered = teaching_calls_.call(node_, "edit_object", call);
     Q_EMIT edited(request, answered && !call.response.retry, call.response.success,
                   answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
@@ -238,22 +238,22 @@ void RosLink::edit(const mbncc_vision::EditObject::Request& request) {
 }
 
 void RosLink::mark_grasp() {
-  calls_.later([this] {
+  teaching_calls_.later([this] {
     std_srvs::Trigger call;
-    const bool answered = calls_.call(node_, "mark_grasp", call);
+    const bool answered = teaching_calls_.call(node_, "mark_grasp", call);
     Q_EMIT grasp_marked(answered && call.response.success,
                         answered ? QString::fromStdString(call.response.message) : kNoTeacher);
   });
 }
 
 void RosLink::explain(QPointF place) {
-  calls_.later([this, place, shown = shown()] {
+  search_calls_.later([this, place, shown = shown()] {
     mbncc_vision::ExplainPlace call;
     call.request.place.x = place.x();
     call.request.place.y = place.y();
     if (shown) call.request.image = *shown;
     explained_ = call.request;
-    const bool answered = calls_.call(node_, matching_ + "/explain", call);
+    const bool answered = search_calls_.call(node_, matching_ + "/explain", call);
     Q_EMIT explained(answered && call.response.success,
                      answered ? QString::fromStdString(call.response.message) : kNoMatcher,
                      answered ? to_qimage(to_rgb(call.response.picture)) : QImage());
@@ -261,12 +261,12 @@ void RosLink::explain(QPointF place) {
 }
 
 void RosLink::find_all() {
-  calls_.later([this, shown = shown()] {
+  search_calls_.later([this, shown = shown()] {
     if (!shown) return Q_EMIT all_found(false, "no image received yet", {}, {}, {});
     mbncc_vision::FindObjects call;
     call.request.image = *shown;
     call.request.min_score = kHardlyAny;
-    const bool answered = calls_.call(node_, "find_objects", call);
+    const bool answered = search_calls_.call(node_, "find_objects", call);
     Q_EMIT all_found(answered && call.response.success,
                      answered ? QString::fromStdString(call.response.message) : kNoMatcher,
                      to_qimage(small(live_rgb(*shown))), size_of(*shown), call.response.detections);
@@ -281,7 +281,7 @@ Thresholds RosLink::thresholds() const {
 }
 
 void RosLink::set_thresholds(const Thresholds& thresholds) {
-  calls_.later([this, thresholds] {
+  search_calls_.later([this, thresholds] {
     dynamic_reconfigure::Reconfigure call;
     const auto add = [&](const char* name, double value) {
       auto& parameter = call.request.config.doubles.emplace_back();
@@ -290,7 +290,7 @@ void RosLink::set_thresholds(const Thresholds& thresholds) {
     };
     add("min_score", thresholds.min_score);
     add("confirm_score", thresholds.confirm_score);
-    const bool answered = calls_.call(node_, matching_ + "/set_parameters", call);
+    const bool answered = search_calls_.call(node_, matching_ + "/set_parameters", call);
     Q_EMIT thresholds_set(answered, answered ? "The matcher uses the new thresholds from now on; "
                                                "set them in config/matching.yaml to keep them."
                                              : kNoMatcher);
@@ -298,12 +298,12 @@ void RosLink::set_thresholds(const Thresholds& thresholds) {
 }
 
 void RosLink::set_search_region(const QRect& region) {
-  calls_.later([this, region] {
+  search_calls_.later([this, region] {
     dynamic_reconfigure::Reconfigure call;
     auto& parameter = call.request.config.strs.emplace_back();
     parameter.name = kSearchRegion;
     parameter.value = text_of(region);
-    const bool answered = calls_.call(node_, matching_ + "/set_parameters", call);
+    const bool answered = search_calls_.call(node_, matching_ + "/set_parameters", call);
     if (!answered) return Q_EMIT search_region_set(false, kNoMatcher);
     const bool taken = region_of(call.response.config) == region;
     Q_EMIT search_region_set(taken, !taken             ? "the matcher refused the search region"
@@ -318,10 +318,10 @@ void RosLink::keep_calibration(const sensor_msgs::CameraInfo& calibration) {
                                    "these images are rectified, but the camera's raw images are "
                                    "needed; start the cell without rectify and top_view to "
                                    "calibrate the lens");
-  calls_.later([this, calibration] {
+  camera_calls_.later([this, calibration] {
     sensor_msgs::SetCameraInfo call;
     call.request.camera_info = calibration;
-    const bool answered = calls_.call(node_, "set_camera_info", call);
+    const bool answered = camera_calls_.call(node_, "set_camera_info", call);
     Q_EMIT calibration_kept(
         answered && call.response.success,
         answered
@@ -337,11 +337,12 @@ CellImages RosLink::images() const {
 }
 
 void RosLink::save_explained() {
-  calls_.later([this] {
+  search_calls_.later([this] {
     mbncc_vision::ExplainPlace call;
     call.request = explained_;
     call.request.save = true;
-    const bool answered = calls_.call(node_, matching_ + "/explain", call) && call.response.success;
+    const bool answered =
+        search_calls_.call(node_, matching_ + "/explain", call) && call.response.success;
     Q_EMIT explained_saved(answered ? QString::fromStdString(call.response.file) : QString());
   });
 }
@@ -353,17 +354,17 @@ std::string RosLink::why_no_grasps() const {
 }
 
 void RosLink::list_objects() {
-  calls_.later([this] {
+  teaching_calls_.later([this] {
     mbncc_vision::ListObjects call;
     call.request.with_thumbnails = true;
-    if (calls_.call(node_, "list_objects", call))
+    if (teaching_calls_.call(node_, "list_objects", call))
       Q_EMIT objects_listed(call.response.objects,
                             QString::fromStdString(call.response.library_path));
   });
 }
 
-void RosLink::give_up() {
-  calls_.give_up();
+void RosLink::give_up_teaching() {
+  teaching_calls_.give_up();
 }
 
 }  // namespace mbncc::console

@@ -83,8 +83,8 @@ class RosLink : public QObject {
   CellImages images() const;
   /// Saves the last explanation in a file.
   void save_explained();
-  /// Aborts a call that waits for an answer; it fails.
-  void give_up();
+  /// Aborts a call to the learning nodelet that waits for an answer; it fails.
+  void give_up_teaching();
 
   /// Tints live images where they differ from the first image that arrives after this call.
   void show_changes(bool wanted) { changes_wanted_ = wanted; }
@@ -152,9 +152,11 @@ class RosLink : public QObject {
   std::deque<sensor_msgs::ImageConstPtr> newest_;  // in order; used only by the spinner's thread
   std::mutex shown_mutex_;
   sensor_msgs::ImageConstPtr shown_;               // the newest one delivered
-  mbncc_vision::ExplainPlace::Request explained_;  // used only by the worker's thread
+  mbncc_vision::ExplainPlace::Request explained_;  // used only by the thread of search_calls_
   std::string learning_ = "learning", matching_;
-  ServiceCalls calls_;  // last, so that no function runs while the rest is being destroyed
+  // One for each nodelet, so that one that hangs delays no call to another. Last, so that no
+  // function runs while the rest is being destroyed.
+  ServiceCalls teaching_calls_, search_calls_, camera_calls_;
 };
 
 }  // namespace mbncc::console

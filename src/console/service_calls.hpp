@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Calls services one after the other on a thread of its own, so that a window never waits for an
-// answer. The functions may be called from any thread, call() only within a function given to
-// later().
+// Calls the services of one server one after the other on a thread of its own, so that a window
+// never waits for an answer. The functions may be called from any thread, call() only within a
+// function given to later().
 #pragma once
 
 #include <ros/ros.h>

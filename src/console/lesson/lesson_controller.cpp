@@ -216,7 +216,7 @@ void LessonController::look_at_clock(bool camera) {
   lesson_.take_camera(camera);
   if (lesson_.phase() == LessonModel::Phase::kNoServer && lesson_.phase() != before) {
     // A call that waits for a hung server must not delay calls to its successor.
-    ros_.give_up();
+    ros_.give_up_teaching();
     widgets_.bar.withdraw_question();
     Q_EMIT server_gone();
   }
