@@ -22,10 +22,10 @@ inline actionlib_msgs::GoalStatusArray status(const std::string& alive = "") {
   return array;
 }
 
-inline mbncc_vision::LearnObjectActionFeedback feedback(std::uint8_t stage,
-                                                        double remaining = 100) {
+inline mbncc_vision::LearnObjectActionFeedback feedback(std::uint8_t stage, double remaining = 100,
+                                                        const std::string& goal = "goal") {
   mbncc_vision::LearnObjectActionFeedback message;
-  message.status.goal_id.id = "goal";
+  message.status.goal_id.id = goal;
   message.feedback.stage = stage;
   message.feedback.progress = 0.5f;
   message.feedback.remaining = ros::Duration(remaining);

@@ -140,7 +140,7 @@ void LessonController::begin(const TeachingWish& wish) {
 }
 
 void LessonController::end_lesson(const mbncc_vision::LearnObjectActionResult& result) {
-  const bool own = result.status.goal_id.id == lesson_.goal();
+  const bool own = lesson_.is_own(result.status.goal_id.id);
   lesson_.take_result(result, clock_.now());
   show();
   if (!own) return;

@@ -52,24 +52,30 @@ bool LessonModel::under_way() const {
 void LessonModel::take_status(const actionlib_msgs::GoalStatusArray& status, double now) {
   heard_ = now;
   if (phase_ == Phase::kNoServer) get_ready();
-  const auto alive = std::find_if(status.status_list.begin(), status.status_list.end(), is_alive);
-  if (alive != status.status_list.end()) {
+  const auto& goals = status.status_list;
+  const auto alive = std::find_if(goals.begin(), goals.end(), is_alive);
+  const bool goes_on = std::any_of(goals.begin(), goals.end(), [&](const GoalStatus& goal) {
+    return is_alive(goal) && goal.goal_id.id == goal_;
+  });
+  if (under_way()) {
+    if (goes_on)
+      goal_seen_ = now;
+    else if (now - goal_seen_ > kSilence)
+      end("The lesson was lost", "The learning nodelet was restarted. Press Teach again.",
+          Level::kBad);
+  } else if (alive != goals.end()) {
     // The lesson was started by another client, or by this window before it was closed.
-    if (!under_way()) {
-      join(alive->goal_id.id, now);
-      detail_ = "A lesson is running.";
-    }
-    goal_seen_ = now;
-  } else if (under_way() && now - goal_seen_ > kSilence) {
-    end("The lesson was lost", "The learning nodelet was restarted. Press Teach again.",
-        Level::kBad);
+    join(alive->goal_id.id, now);
+    detail_ = "A lesson is running.";
   }
 }
 
 void LessonModel::take_feedback(const mbncc_vision::LearnObjectActionFeedback& feedback,
                                 double now) {
+  heard_ = now;
   if (!under_way()) join(feedback.status.goal_id.id, now);
-  heard_ = goal_seen_ = now;
+  if (feedback.status.goal_id.id != goal_) return;
+  goal_seen_ = now;
   stage_ = feedback.feedback.stage;
   const double remaining = feedback.feedback.remaining.toSec();
   deadline_ = remaining > 0 ? now + remaining : -1;
@@ -130,6 +136,7 @@ bool LessonModel::take_library(const std::vector<mbncc_vision::LearnedObject>& o
 void LessonModel::begin(const std::string& goal, double now) {
   newest_draft_.reset();  // it belongs to another lesson
   join(goal, now);
+  own_ = true;
   corrections_ = 0;
 }
 
@@ -138,6 +145,7 @@ void LessonModel::join(const std::string& goal, double now) {
   question_.clear();
   refusal_.clear();
   goal_ = goal;
+  own_ = false;
   stage_ = Feedback::WAIT_IMAGE;
   progress_ = 0;
   deadline_ = -1;

@@ -82,6 +82,9 @@ class LessonModel {
   bool waits_for_scene() const;
 
   const std::string& goal() const { return goal_; }
+  /// Whether this window has begun the lesson with this goal: the newest one under way, or the last
+  /// one. Another client may have begun one that this window only shows.
+  bool is_own(const std::string& goal) const { return own_ && goal == goal_; }
   std::string headline() const;
   std::string detail() const;
   /// Level of the last lesson's result, or of the answer to the last command.
@@ -112,6 +115,7 @@ class LessonModel {
 
   Phase phase_ = Phase::kNoServer;
   std::string goal_;
+  bool own_ = false;  // begun by this window
   std::string headline_ = "Waiting for the learning nodelet";
   std::string question_;  // the server's message while it asks the operator
   std::string refusal_;   // answer to the last command, to be shown when the server asks again

@@ -103,6 +103,42 @@ TEST(LessonModel, TheResultOfAnotherGoalDoesNotEndThisOne) {
   EXPECT_TRUE(lesson.may_decide());
 }
 
+TEST(LessonModel, OnlyALessonBegunHereIsItsOwn) {
+  LessonModel lesson = ready();
+  lesson.begin("goal", 0);
+  EXPECT_TRUE(lesson.is_own("goal"));
+  EXPECT_FALSE(lesson.is_own("theirs"));
+  lesson.take_result(result(Result::CANCELLED), 1);
+  EXPECT_TRUE(lesson.is_own("goal")) << "when its end is evaluated";
+  lesson.take_status(status("theirs"), 2);
+  EXPECT_FALSE(lesson.is_own("theirs"));
+  EXPECT_FALSE(lesson.is_own("goal"));
+}
+
+TEST(LessonModel, TheFeedbackOfAnotherLessonIsNotTakenForThisOne) {
+  LessonModel lesson = ready();
+  lesson.begin("refused", 0);
+  lesson.take_draft(draft(Result::SUCCESS));
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 1);
+  EXPECT_EQ(lesson.phase(), Phase::kRunning);
+  EXPECT_FALSE(lesson.may_accept());
+  lesson.take_result(result(Result::BUSY, "refused"), 1);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 2);
+  EXPECT_EQ(lesson.goal(), "goal");
+  EXPECT_TRUE(lesson.may_accept());
+}
+
+TEST(LessonModel, ALessonIsLostThoughAnotherOneRuns) {
+  LessonModel lesson = ready();
+  lesson.begin("goal", 0);
+  lesson.take_status(status("theirs"), 1);
+  EXPECT_EQ(lesson.goal(), "goal") << "the server may not have it yet";
+  lesson.take_status(status("theirs"), 2.5);
+  EXPECT_EQ(lesson.headline(), "The lesson was lost");
+  lesson.take_status(status("theirs"), 2.7);
+  EXPECT_EQ(lesson.goal(), "theirs");
+}
+
 TEST(LessonModel, AnAnswerAfterTheEndChangesNothing) {
   LessonModel lesson = in_review();
   decide(lesson);

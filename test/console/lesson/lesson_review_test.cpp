@@ -30,8 +30,8 @@ TEST(LessonReview, TheDraftOfTheLessonBeforeIsNeverAccepted) {
   LessonModel lesson = in_review();
   lesson.take_result(result(Result::SUCCESS), 2);
   lesson.take_status(status("next"), 3);
-  lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL), 4);
-  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM), 5);
+  lesson.take_feedback(feedback(Feedback::WAIT_REMOVAL, 100, "next"), 4);
+  lesson.take_feedback(feedback(Feedback::WAIT_CONFIRM, 100, "next"), 5);
   EXPECT_FALSE(lesson.may_accept());
   lesson.take_draft(draft(Result::SUCCESS));
   EXPECT_TRUE(lesson.may_accept());
