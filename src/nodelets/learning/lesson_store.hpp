@@ -9,9 +9,9 @@
 #include <string>
 
 #include "mbncc/learning/lesson.hpp"
-#include "nodelets/learning/lesson_attempts.hpp"
 #include "nodelets/learning/lesson_images.hpp"
 #include "nodelets/learning/lesson_tools.hpp"
+#include "nodelets/library/lesson_attempts.hpp"
 
 namespace mbncc::nodelets {
 

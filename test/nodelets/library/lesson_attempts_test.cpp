@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The last step of storing fails: the object is in place, but its folder is not synced.
-#include "nodelets/learning/lesson_attempts.hpp"
+#include "nodelets/library/lesson_attempts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nodelets/learning/lesson_attempts.hpp"
+#include "nodelets/library/lesson_attempts.hpp"
 
 #include <utility>
 
