@@ -150,7 +150,10 @@ void ConsoleWidget::connect_lesson() {
     const std::string lacking = ros_.why_no_grasps();
     lesson_bar_->allow_marks(lacking.empty(), QString::fromStdString(lacking));
   });
-  connect(lesson_, &LessonController::server_gone, this, [this] { lamps_.forget_library(); });
+  connect(lesson_, &LessonController::server_gone, this, [this] {
+    lamps_.forget_library();
+    library_->forget_folder();
+  });
   connect(lesson_bar_, &LessonBar::mark_wanted, this, [this] { ros_.mark_grasp(); });
   connect(&ros_, &RosLink::grasp_marked, this,
           [this](bool success, const QString& message) { tell(success, "Grasp: " + message); });

@@ -359,7 +359,8 @@ void RosLink::list_objects() {
     call.request.with_thumbnails = true;
     if (teaching_calls_.call(node_, "list_objects", call))
       Q_EMIT objects_listed(call.response.objects,
-                            QString::fromStdString(call.response.library_path));
+                            QString::fromStdString(call.response.library_path),
+                            call.response.library_inode);
   });
 }
 

@@ -106,7 +106,9 @@ class RosLink : public QObject {
   /// The learning image of the lesson's draft.
   void lesson_image_heard(QImage image);
   void score_map_heard(QImage image);
-  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder);
+  /// `folder` of the library on the nodelet's computer, and its number there.
+  void objects_listed(std::vector<mbncc_vision::LearnedObject> objects, QString folder,
+                      quint64 inode);
   void confirmed(bool answered, bool success, QString message);
   /// `settled`: carried out, or it would be refused again; false: it can be repeated.
   void edited(mbncc_vision::EditObject::Request request, bool settled, bool success,

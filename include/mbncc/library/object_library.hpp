@@ -30,6 +30,10 @@ class NameError : public std::invalid_argument {
   LearnError code_;
 };
 
+/// Number of the folder in its file system, which is the same on every computer that has access to
+/// it; 0: there is no such folder.
+std::uint64_t folder_inode(const std::string& folder);
+
 /// Writers hold an exclusive lock on the folder (flock), so only one writes at a time, across
 /// processes; readers need no lock, because every file is replaced atomically. All functions throw
 /// FileError (with errno's text) if a file operation fails; the library is then unchanged. A writer

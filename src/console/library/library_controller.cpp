@@ -4,7 +4,6 @@
 #include <QFileDialog>
 #include <utility>
 
-#include "console/library/library_files.hpp"
 #include "console/library/library_strip.hpp"
 #include "console/library/trash_dialog.hpp"
 #include "mbncc/library/object_file.hpp"
@@ -28,11 +27,13 @@ QString object_files() {
 
 LibraryController::LibraryController(RosLink& ros, LibraryStrip& strip, QObject* parent)
     : QObject(parent), ros_(ros), strip_(strip) {
-  connect(&ros, &RosLink::objects_listed, this, [this](const auto& objects, const auto& folder) {
-    folder_ = folder;
-    library_.set_objects(objects);
-    strip_.show_objects(library_);
-  });
+  connect(&ros, &RosLink::objects_listed, this,
+          [this](const auto& objects, const QString& folder, quint64 inode) {
+            folder_ = folder.toStdString();
+            inode_ = inode;
+            library_.set_objects(objects);
+            strip_.show_objects(library_);
+          });
   connect(&ros, &RosLink::edited, this, &LibraryController::take_edit);
   connect(&strip, &LibraryStrip::edit_wanted, this, [this](const auto& request) { send(request); });
   connect(&strip, &LibraryStrip::symmetry_wanted, this,
@@ -87,12 +88,27 @@ void LibraryController::undo() {
   send(library_.undo());
 }
 
+ListedLibrary LibraryController::listed() const {
+  return {folder_, inode_, library_.objects()};
+}
+
+bool LibraryController::has_access() {
+  try {
+    check_library(listed());
+    return true;
+  } catch (const std::exception& error) {
+    Q_EMIT told(false, error.what());
+    return false;
+  }
+}
+
 void LibraryController::export_object(const QString& name) {
+  if (!has_access()) return;
   const QString file = QFileDialog::getSaveFileName(&strip_, "Export " + name,
                                                     name + kObjectFileEnding, object_files());
   if (file.isEmpty()) return;
   try {
-    console::export_object(folder_.toStdString(), name.toStdString(), file.toStdString());
+    console::export_object(listed(), name.toStdString(), file.toStdString());
     Q_EMIT told(true, "Exported " + name + " to " + file);
   } catch (const std::exception& error) {
     Q_EMIT told(false, error.what());
@@ -100,10 +116,11 @@ void LibraryController::export_object(const QString& name) {
 }
 
 void LibraryController::import_object() {
+  if (!has_access()) return;
   const QString file = QFileDialog::getOpenFileName(&strip_, "Import", "", object_files());
   if (file.isEmpty()) return;
   try {
-    const auto name = console::import_object(folder_.toStdString(), file.toStdString());
+    const auto name = console::import_object(listed(), file.toStdString());
     strip_.choose(QString::fromStdString(name));
     Q_EMIT told(true, "Imported " + QString::fromStdString(name));
     ros_.list_objects();
@@ -114,7 +131,7 @@ void LibraryController::import_object() {
 
 void LibraryController::show_history(const QString& name) {
   try {
-    const auto revisions = earlier_revisions(folder_.toStdString(), name.toStdString());
+    const auto revisions = earlier_revisions(listed(), name.toStdString());
     auto* dialog =
         new TrashDialog("Earlier revisions of " + name,
                         revisions.empty() ? "There are none yet: a revision is kept whenever the "
@@ -132,7 +149,7 @@ void LibraryController::show_history(const QString& name) {
 
 void LibraryController::show_deleted() {
   try {
-    const auto objects = deleted_objects(folder_.toStdString());
+    const auto objects = deleted_objects(listed());
     auto* dialog = new TrashDialog(
         "Deleted objects",
         objects.empty() ? "There are no deleted objects." : "Each is shown with its last revision.",

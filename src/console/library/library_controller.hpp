@@ -4,6 +4,7 @@
 #pragma once
 
 #ifndef Q_MOC_RUN
+#include "console/library/library_files.hpp"
 #include "console/library/library_model.hpp"
 #include "console/ros_link.hpp"
 #endif
@@ -27,6 +28,8 @@ class LibraryController : public QObject {
   void begin_lesson(const std::string& name) { library_.begin_lesson(name); }
   /// The lesson stored the object; "Undo edit" can revert this if there was one before.
   void retaught(const std::string& name) { library_.retaught(name); }
+  /// The learning nodelet has ended; its successor may use another folder.
+  void forget_folder() { folder_.clear(); }
   /// Gives the object its own min_score; 0 removes it.
   void set_threshold(const QString& name, double min_score);
 
@@ -43,6 +46,9 @@ class LibraryController : public QObject {
   void send(const Edit& request);
   void take_edit(const Edit& request, bool settled, bool success, const QString& message);
   void undo();
+  ListedLibrary listed() const;
+  /// Whether this computer has access to the library's folder; says so if it has not.
+  bool has_access();
   void export_object(const QString& name);
   void import_object();
   void show_history(const QString& name);
@@ -52,7 +58,8 @@ class LibraryController : public QObject {
   RosLink& ros_;
   LibraryStrip& strip_;
   LibraryModel library_;
-  QString folder_;
+  std::string folder_;  // that the learning nodelet names; "": none yet
+  std::uint64_t inode_ = 0;
   int pending_ = 0;  // edits that are not answered yet
   bool undoing_ = false;
 };

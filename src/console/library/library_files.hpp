@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Export and import of objects as single files; earlier revisions and deleted objects. Works only
-// if the library's folder is on this computer.
+// if this computer has access to the library's folder.
 #pragma once
+
+#include <mbncc_vision/LearnedObject.h>
 
 #include <cstdint>
 #include <opencv2/core.hpp>
@@ -18,16 +20,27 @@ struct Revision {
   std::string text;  ///< when it was learned, views, verdict
 };
 
-/// These functions throw std::exceptions with a message; `folder` is the library's.
-void export_object(const std::string& folder, const std::string& name, const std::string& file);
+/// The library as the learning nodelet lists it.
+struct ListedLibrary {
+  std::string folder;  ///< "": unknown
+  std::uint64_t inode = 0;
+  std::vector<mbncc_vision::LearnedObject> objects;
+};
+
+/// Throws a std::exception with a message unless this computer's folder of that path is the one
+/// that the nodelet uses: another computer may have a folder of the same path, or a copy.
+void check_library(const ListedLibrary& library);
+
+/// These functions check the library first. They throw std::exceptions with a message.
+void export_object(const ListedLibrary& library, const std::string& name, const std::string& file);
 
 /// Returns the object's name in the library; refuses an existing name.
-std::string import_object(const std::string& folder, const std::string& file);
+std::string import_object(const ListedLibrary& library, const std::string& file);
 
 /// Newest first; unreadable files are left out.
-std::vector<Revision> earlier_revisions(const std::string& folder, const std::string& name);
+std::vector<Revision> earlier_revisions(const ListedLibrary& library, const std::string& name);
 
 /// The newest readable revision of every object that exists only in the trash, by name.
-std::vector<Revision> deleted_objects(const std::string& folder);
+std::vector<Revision> deleted_objects(const ListedLibrary& library);
 
 }  // namespace mbncc::console

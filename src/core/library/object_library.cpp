@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "mbncc/library/object_library.hpp"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 
 #include "library/library_cache.hpp"
@@ -59,6 +61,11 @@ std::unique_ptr<ObjectModel> read_known(library::LockedFolder& locked, const std
 }
 
 }  // namespace
+
+std::uint64_t folder_inode(const std::string& folder) {
+  struct stat status {};
+  return ::stat(folder.c_str(), &status) == 0 && S_ISDIR(status.st_mode) ? status.st_ino : 0;
+}
 
 ObjectLibrary::ObjectLibrary(std::string folder)
     : folder_(std::move(folder)), cache_(std::make_unique<LibraryCache>()) {

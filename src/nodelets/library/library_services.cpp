@@ -31,6 +31,7 @@ LibraryServices::LibraryServices(ros::NodeHandle node, std::shared_ptr<SharedLib
 bool LibraryServices::list(mbncc_vision::ListObjects::Request& request,
                            mbncc_vision::ListObjects::Response& response) {
   response.library_path = library_->folder();
+  response.library_inode = folder_inode(response.library_path);
   for (const auto& object : library_->snapshot()->objects)
     response.objects.push_back(to_msg(*object, request.with_thumbnails));
   return true;

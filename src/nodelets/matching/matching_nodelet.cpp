@@ -230,6 +230,7 @@ void MatchingNodelet::on_roi(const sensor_msgs::RegionOfInterest& roi) {
 bool MatchingNodelet::list(mbncc_vision::ListObjects::Request& request,
                            mbncc_vision::ListObjects::Response& response) {
   response.library_path = matcher_->folder();
+  response.library_inode = folder_inode(response.library_path);
   for (const auto& object : matcher_->library()->objects)
     response.objects.push_back(to_msg(*object, request.with_thumbnails));
   return true;

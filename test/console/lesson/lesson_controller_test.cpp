@@ -43,7 +43,9 @@ class LessonControllerTest : public testing::Test {
     message.result = outcome;
     Q_EMIT ros_.result_heard(message);
   }
-  void list(const mbncc_vision::LearnedObject& object) { Q_EMIT ros_.objects_listed({object}, ""); }
+  void list(const mbncc_vision::LearnedObject& object) {
+    Q_EMIT ros_.objects_listed({object}, "", 0);
+  }
 
   SteadyClock clock_;
   RosLink ros_;

@@ -4,7 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <QStringList>
+
 #include "console/library/library_strip.hpp"
+#include "mbncc/library/object_library.hpp"
+#include "support/temporary_folder.hpp"
 
 namespace mbncc::console {
 namespace {
@@ -46,6 +50,32 @@ TEST_F(LibraryControllerTest, AnUndoThatFailedForAPassingReasonCanBeRepeated) {
   Q_EMIT strip_.undo_wanted();
   answer(library().undo(), true, false);
   EXPECT_FALSE(library().can_undo()) << "it would be refused again";
+}
+
+TEST_F(LibraryControllerTest, NothingIsShownOrImportedFromAFolderThatIsNotTheCells) {
+  QStringList told;
+  QObject::connect(&controller_, &LibraryController::told, &controller_,
+                   [&told](bool success, const QString& sentence) {
+                     if (!success) told << sentence;
+                   });
+  test::TemporaryFolder folder;
+  const auto list_at = [&](std::uint64_t inode) {
+    Q_EMIT ros_.objects_listed({}, QString::fromStdString(folder.path()), inode);
+  };
+  list_at(folder_inode(folder.path()) + 1);
+  Q_EMIT strip_.deleted_wanted();
+  Q_EMIT strip_.history_wanted("part");
+  Q_EMIT strip_.import_wanted();
+  Q_EMIT strip_.export_wanted("part");
+  ASSERT_EQ(told.size(), 4);
+  for (const auto& sentence : told)
+    EXPECT_TRUE(sentence.contains("is not the cell's library")) << sentence.toStdString();
+  list_at(folder_inode(folder.path()));
+  Q_EMIT strip_.deleted_wanted();
+  EXPECT_EQ(told.size(), 4);
+  controller_.forget_folder();
+  Q_EMIT strip_.deleted_wanted();
+  EXPECT_EQ(told.size(), 5) << "the nodelet's successor may use another folder";
 }
 
 }  // namespace

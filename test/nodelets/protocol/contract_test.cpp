@@ -32,7 +32,7 @@ TEST(Contract, MessageDefinitionsAreUnchanged) {
   EXPECT_EQ(service_checksum<mbncc_vision::ConfirmLearning>(), "4350ff3484d41a8e44a913bde7c58e8b");
   EXPECT_EQ(service_checksum<mbncc_vision::EditObject>(), "ce350f081ce29951b0130a62cb94d83b");
   EXPECT_EQ(service_checksum<mbncc_vision::FindObjects>(), "7556b6ed76dd87fb0ffed650ba74fee3");
-  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "234054ef030dc555acd5967f392ca395");
+  EXPECT_EQ(service_checksum<mbncc_vision::ListObjects>(), "4edba71846f75725986facd1b68d8141");
 }
 
 }  // namespace

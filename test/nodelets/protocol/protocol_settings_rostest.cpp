@@ -4,6 +4,7 @@
 #include <mbncc_vision/FindObjects.h>
 #include <sensor_msgs/RegionOfInterest.h>
 
+#include "mbncc/library/object_library.hpp"
 #include "nodelets/protocol/protocol.hpp"
 
 namespace mbncc::nodelets {
@@ -155,6 +156,14 @@ TEST_F(RunTimeSettings, TheMatchingNodeletReportsWhatItSearchesFor) {
     const auto known = call<mbncc_vision::ListObjects>("matching/list_objects", {});
     return known.objects.size() == 1 && known.objects[0].name == "part";
   }));
+}
+
+TEST_F(RunTimeSettings, BothNodeletsTellWhichFolderTheLibraryIs) {
+  for (const auto* service : {"list_objects", "matching/list_objects"}) {
+    const auto known = call<mbncc_vision::ListObjects>(service, {});
+    EXPECT_NE(known.library_inode, 0u);
+    EXPECT_EQ(known.library_inode, folder_inode(known.library_path)) << service;
+  }
 }
 
 TEST_F(RunTimeSettings, ApplyToFindObjects) {
