@@ -23,8 +23,7 @@ class LessonStore {
               const LessonImages& images);
 
   /// Stores the object and returns the result for the client, also after a failure; can be
-  /// repeated then. Scale and grasp
-  /// are computed from `calibration`.
+  /// repeated then. Scale and grasp are computed from `calibration`.
   mbncc_vision::LearnObjectResult store(const LearnResult& learned, const Calibration& calibration);
 
  private:

@@ -12,6 +12,7 @@
 #include "nodelets/camera/simulated_optics.hpp"
 #include "nodelets/conversion/camera_model.hpp"
 #include "nodelets/conversion/rays.hpp"
+#include "nodelets/conversion/strong_lens.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -19,24 +20,21 @@ namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 const cv::Size kSize(1280, 960);
 
-/// Strong barrel distortion, with the principal point far from the centre.
-sensor_msgs::CameraInfo strong_lens() {
-  sensor_msgs::CameraInfo info;
-  info.width = 1280;
-  info.height = 960;
-  info.distortion_model = "plumb_bob";
-  info.D = {-0.3, 0.1, 0.001, -0.002, 0};
-  info.K = {900, 0, 580, 0, 910, 530, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {800, 0, 600, 0, 0, 800, 500, 0, 0, 0, 1, 0};
-  return info;
-}
-
 std_msgs::Header header() {
   std_msgs::Header header;
   header.frame_id = "camera";
   header.stamp = ros::Time(10);
   return header;
+}
+
+/// The platform faces the camera at a distance of `z` [m].
+geometry_msgs::TransformStamped platform_at(double z) {
+  geometry_msgs::TransformStamped transform;
+  transform.header = header();
+  transform.child_frame_id = "platform";
+  transform.transform.translation.z = z;
+  transform.transform.rotation.w = 1;
+  return transform;
 }
 
 PlatformConfig at_distance(bool rectified) {
@@ -292,21 +290,14 @@ TEST(Calibration, APlatformNotInFrontOfTheCameraIsRefused) {
   tf2_ros::Buffer tf;
   PlatformConfig config;
   config.platform_frame = "platform";
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "camera";
-  transform.header.stamp = ros::Time(10);
-  transform.child_frame_id = "platform";
-  transform.transform.rotation.w = 1;
   for (const double z : {-0.8, 101.0, 1e6, 1e-4}) {
-    transform.transform.translation.z = z;
-    tf.setTransform(transform, "test", true);
+    tf.setTransform(platform_at(z), "test", true);
     const auto calibration = calibrate(config, &info, header(), kSize, tf);
     EXPECT_FALSE(calibration.platform) << z;
     EXPECT_EQ(calibration.fault.rfind("platform: the ray through the image centre", 0), 0u)
         << calibration.fault;
   }
-  transform.transform.translation.z = 0.8;
-  tf.setTransform(transform, "test", true);
+  tf.setTransform(platform_at(0.8), "test", true);
   EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform);
 }
 
@@ -316,13 +307,7 @@ TEST(Calibration, APlatformOfAnotherCameraIsRefused) {
   PlatformConfig config;
   config.platform_frame = "platform";
   config.platform_intrinsics = "rectified 1280 960 800 800 600 500";
-  geometry_msgs::TransformStamped transform;
-  transform.header.frame_id = "camera";
-  transform.header.stamp = ros::Time(10);
-  transform.child_frame_id = "platform";
-  transform.transform.rotation.w = 1;
-  transform.transform.translation.z = 0.8;
-  tf.setTransform(transform, "test");
+  tf.setTransform(platform_at(0.8), "test", true);
   EXPECT_TRUE(calibrate(config, &info, header(), kSize, tf).platform);
   info.P[0] = info.P[5] = 805;
   const auto none = calibrate(config, &info, header(), kSize, tf);

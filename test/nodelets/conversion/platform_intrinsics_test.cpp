@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mbncc/error.hpp"
+#include "nodelets/conversion/strong_lens.hpp"
 
 namespace mbncc::nodelets {
 namespace {
@@ -19,14 +20,8 @@ const std::string kRaw = "plumb_bob 1280 960 900.25 910.5 620 470 -0.3 0.1 0.001
 const std::string kRectified = "rectified 1280 960 800 800 600 500";
 
 CameraInfo camera_info() {
-  CameraInfo info;
-  info.width = 1280;
-  info.height = 960;
-  info.distortion_model = "plumb_bob";
-  info.D = {-0.3, 0.1, 0.001, -0.002, 0};
+  CameraInfo info = strong_lens();
   info.K = {900.25, 0, 620, 0, 910.5, 470, 0, 0, 1};
-  info.R = {1, 0, 0, 0, 1, 0, 0, 0, 1};
-  info.P = {800, 0, 600, 0, 0, 800, 500, 0, 0, 0, 1, 0};
   return info;
 }
 

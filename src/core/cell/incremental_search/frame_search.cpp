@@ -308,12 +308,12 @@ void FrameSearch::compare_with_open_objects() {
 }
 
 /// Searches again for one of the known instances. Its neighbours may be found as well.
-bool FrameSearch::renew(const Instance& known) {
+bool FrameSearch::renew(std::vector<Instance>::iterator known) {
   auto& instances = memory_.instances.all();
   const std::vector<Instance> before = instances;
-  const auto index = &known - instances.data();
-  instances.erase(instances.begin() + index);
-  return find_again(before[static_cast<std::size_t>(index)], before);
+  const Instance earlier = *known;
+  instances.erase(known);
+  return find_again(earlier, before);
 }
 
 /// Searches for the instance whose last search is the longest ago if that is kSearchEvery, and for
@@ -327,7 +327,7 @@ void FrameSearch::search_overdue() {
         [](const Instance& a, const Instance& b) { return a.searched_at < b.searched_at; });
     if (oldest == instances.end() || stamp_ - oldest->searched_at < limit) return;
     const std::string name = oldest->match.name;
-    if (!renew(*oldest)) memory_.objects.at(name).urgent = true;
+    if (!renew(oldest)) memory_.objects.at(name).urgent = true;
   }
 }
 
@@ -339,7 +339,7 @@ void FrameSearch::search_again() {
       instances.begin(), instances.end(),
       [](const Instance& a, const Instance& b) { return a.searches < b.searches; });
   if (least == instances.end() || least->searches >= kMostSearches) return;
-  renew(*least);
+  renew(least);
 }
 
 /// Adds a match to the known instances; null if a better one is there. `before` may contain the

@@ -48,7 +48,7 @@ class FrameSearch {
   void search_uncompared(const std::string& name, const cv::Rect& region);
   Urgency urgency_of(const std::string& name) const;
   void compare_with_open_objects();
-  bool renew(const Instance& known);
+  bool renew(std::vector<Instance>::iterator known);
   void search_overdue();
   void search_again();
   Instance* admit(const Match& match, const std::vector<Instance>& before);
