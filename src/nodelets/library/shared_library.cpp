@@ -20,7 +20,7 @@ SharedLibrary::Snapshot SharedLibrary::snapshot() const {
 void SharedLibrary::refresh(bool always) {
   const std::lock_guard<std::mutex> lock(library_mutex_);
   try {
-    if (always || library_.changed_on_disk()) load();
+    if (always || !handed_over_ || library_.changed_on_disk()) load();
     note("");
   } catch (const std::exception& error) {
     note_unreadable(error);
@@ -60,12 +60,14 @@ ObjectModel SharedLibrary::change(const std::function<ObjectModel(ObjectLibrary&
 }
 
 void SharedLibrary::load() {
+  handed_over_ = false;
   const Snapshot fresh = library_.load();
   {
     const std::lock_guard<std::mutex> lock(snapshot_mutex_);
     snapshot_ = fresh;
   }
   listener_(fresh);
+  handed_over_ = true;
 }
 
 }  // namespace mbncc::nodelets

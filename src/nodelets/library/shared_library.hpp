@@ -25,7 +25,8 @@ class SharedLibrary {
   const std::string& folder() const { return library_.folder(); }
   Snapshot snapshot() const;
 
-  /// Reads the folder again if a file has changed, or in any case if `always`. Throws FileError.
+  /// Reads the folder again if a file has changed or the last attempt failed, or in any case if
+  /// `always`. Throws FileError, and what the listener throws.
   void refresh(bool always);
 
   /// Why the last attempt to read the folder failed; "" if it succeeded.
@@ -47,7 +48,8 @@ class SharedLibrary {
   mutable std::mutex library_mutex_;  // locked before snapshot_mutex_
   ObjectLibrary library_;
   Snapshot snapshot_;
-  std::string fault_;  // guarded by snapshot_mutex_
+  std::string fault_;         // guarded by snapshot_mutex_
+  bool handed_over_ = false;  // the folder's last state, to listener_; guarded by library_mutex_
   const Listener listener_;
 };
 

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
+#include <new>
 
 #include "library/models.hpp"
 #include "support/temporary_folder.hpp"
@@ -29,6 +30,26 @@ TEST(SharedLibrary, AChangeIsDoneThoughTheLibraryCannotBeReadAfterwards) {
   shared.refresh(false);
   EXPECT_EQ(shared.fault(), "");
   EXPECT_EQ(objects, 1u);
+}
+
+TEST(SharedLibrary, AStateThatTheListenerHasNotTakenIsHandedOverAgain) {
+  test::TemporaryFolder folder;
+  std::size_t objects = 0;
+  bool fails = false;
+  SharedLibrary shared(folder / "library", [&](const auto& snapshot) {
+    if (fails) throw std::bad_alloc();
+    objects = snapshot->objects.size();
+  });
+  fails = true;
+  shared.change([](ObjectLibrary& library) {
+    return library.save(test::random_model(1, "cup"), ObjectLibrary::Existing::kRefuse);
+  });
+  EXPECT_THROW(shared.refresh(false), std::bad_alloc);
+  EXPECT_NE(shared.fault(), "");
+  fails = false;
+  shared.refresh(false);
+  EXPECT_EQ(shared.fault(), "");
+  EXPECT_EQ(objects, 1u) << "no file has changed meanwhile";
 }
 
 TEST(SharedLibrary, AChangeThatFailsIsReported) {
