@@ -23,7 +23,7 @@ class ContourSearchTest : public ::testing::Test {
     cv::Mat level = image;
     for (int k = 0; k < bank_.level(); ++k) cv::pyrDown(level, level);
     return contour_search(bank_, scene::SceneLevel(level, bank_.level()), {{0, 0}, level.size()},
-                          most, {}, {}, part);
+                          most, {}, part);
   }
 
   /// The background with a bright object at `truth`.

@@ -105,35 +105,6 @@ std::vector<double> scales_within(double range) {
   return scales;
 }
 
-/// Whether both views show the same outline in the object's frame, at any rotation.
-bool same_outline(const View& a, const View& b) {
-  constexpr double kSame = 0.8;  // intersection over union
-  const Pose2D a_in_b = compose(b.reference, inverse(a.reference));
-  const cv::Point2d corner = transform(a_in_b, cv::Point2d(a.origin)) - cv::Point2d(b.origin);
-  cv::Mat moved;
-  cv::warpAffine(a.map, moved, matrix_of({corner.x, corner.y, a_in_b.theta}), b.map.size());
-  moved = moved > 127;
-  const double common = cv::countNonZero(moved & b.map);
-  return common >= kSame * (cv::countNonZero(a.map) + cv::countNonZero(b.map) - common);
-}
-
-/// The rotations at which `view` is searched. Light does not rotate with the object, so the object
-/// looks most like the view learned at the nearest rotation. Views of the same outline divide the
-/// rotations: each is searched half-way to its neighbours plus a small overlap.
-proposal::AngleRange sector_of(const View& view, const std::vector<View>& all) {
-  constexpr double kBeyond = to_radians(12.), kAlike = to_radians(20.);
-  proposal::AngleRange sector;
-  for (const auto& other : all) {
-    if (&other == &view || !same_outline(other, view)) continue;
-    const double apart = wrap_angle(other.reference.theta - view.reference.theta);
-    const double left = apart < 0 ? apart : apart - 2 * kPi, right = left + 2 * kPi;
-    if (std::abs(apart) < kAlike) continue;
-    sector.low = std::max(sector.low, left / 2 - kBeyond);
-    sector.high = std::min(sector.high, right / 2 + kBeyond);
-  }
-  return sector;
-}
-
 /// The declared symmetry, otherwise the one measured with certainty.
 int symmetry_of(const ObjectModel& model, const View& view) {
   return model.symmetry ? *model.symmetry : measure_symmetry(view).certain;
@@ -248,7 +219,6 @@ PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine
       views.emplace_back(learned, engine, scale);
       views.back().symmetry = symmetries[i];
       views.back().symmetry_centre = symmetry_centre(views.back(), rescaled(learned, scale));
-      if (engine == Engine::kFast) views.back().sector = sector_of(model->views[i], model->views);
     }
 }
 

@@ -13,7 +13,6 @@
 #include "matching/evidence/outline_contrast.hpp"
 #include "matching/evidence/print_comparison.hpp"
 #include "matching/evidence/ratio_residual.hpp"
-#include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/colour_prefilter.hpp"
 #include "matching/proposal/contour_bank.hpp"
 #include "matching/proposal/template_bank.hpp"
@@ -50,8 +49,6 @@ class PreparedView : public mbncc::templates::ViewFrame {
 
   int top_level() const { return static_cast<int>(templates.size()) - 1; }
 
-  proposal::AngleRange
-      sector;          ///< rotations relative to its lesson that are searched with this view
   cv::Point2d anchor;  ///< [px] in the view's crop
   templates::MapGeometry geometry;
   proposal::ColourPrefilter colour_prefilter;

@@ -38,7 +38,7 @@ int whole(int count, int group) {
 class ContourSearch {
  public:
   ContourSearch(const ContourBank& bank, const scene::SceneLevel& scene, const cv::Rect& roi,
-                const AngleRange& sector, const SearchMask& places, OutlinePart part)
+                const SearchMask& places, OutlinePart part)
       : bank_(bank),
         part_(part),
         scale_(kUnit * share(part) * static_cast<double>(bank.rotations().front().points.size())),
@@ -54,8 +54,7 @@ class ContourSearch {
     sectors_.assign(kSectors, {wanted_.cols, part == OutlinePart::kThreeQuarters ? kParts : 1});
     const auto& rotations = bank.rotations();
     for (std::size_t k = 0; k < rotations.size(); ++k)
-      if (sector.contains(rotations[k].angle))
-        sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
+      sectors_[k * sectors_.size() / rotations.size()].add_rotation(rotations[k], k, *maps_);
   }
 
   std::vector<templates::Candidate> run(std::size_t most) {
@@ -148,11 +147,10 @@ class ContourSearch {
 std::vector<templates::Candidate> contour_search(const ContourBank& bank,
                                                  const scene::SceneLevel& scene,
                                                  const cv::Rect& roi, std::size_t most,
-                                                 const AngleRange& sector, const SearchMask& places,
-                                                 OutlinePart part) {
+                                                 const SearchMask& places, OutlinePart part) {
   const cv::Rect region = roi & cv::Rect({0, 0}, scene.size());
   if (region.empty()) return {};
-  return ContourSearch(bank, scene, region, sector, places, part).run(most);
+  return ContourSearch(bank, scene, region, places, part).run(most);
 }
 
 }  // namespace mbncc::proposal

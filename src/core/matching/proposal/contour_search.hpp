@@ -6,7 +6,6 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/contour_bank.hpp"
 #include "matching/proposal/search_mask.hpp"
 #include "matching/scene/scene_level.hpp"
@@ -20,13 +19,12 @@ enum class OutlinePart {
   kThreeQuarters,  ///< the three that fit best; the fourth may be covered
 };
 
-/// The best `most` poses in `roi` [px at the bank's level], `sector` and `places`; those by the
+/// The best `most` poses in `roi` [px at the bank's level] and `places`; those by the
 /// whole outline best first, in different places before their neighbours. Value: mean response
 /// [-1..1]. `scene` is the bank's level.
 std::vector<templates::Candidate> contour_search(const ContourBank& bank,
                                                  const scene::SceneLevel& scene,
                                                  const cv::Rect& roi, std::size_t most,
-                                                 const AngleRange& sector = {},
                                                  const SearchMask& places = {},
                                                  OutlinePart part = OutlinePart::kWhole);
 

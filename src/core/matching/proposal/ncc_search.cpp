@@ -42,13 +42,9 @@ struct KernelOffsets {
 class CoarseSearch {
  public:
   /// `image` has a margin of more than the bank's radius; `roi` lies in it.
-  CoarseSearch(const TemplateBank& bank, const imaging::PaddedImage& image, const cv::Rect& roi,
-               const AngleRange& sector = {})
+  CoarseSearch(const TemplateBank& bank, const imaging::PaddedImage& image, const cv::Rect& roi)
       : bank_(bank), roi_(roi), image_(image) {
-    for (const auto& kernel : *bank.kernels) {
-      offsets_.emplace_back(kernel, image_.stride());
-      if (!sector.contains(kernel.angle)) offsets_.back().norm = 0;
-    }
+    for (const auto& kernel : *bank.kernels) offsets_.emplace_back(kernel, image_.stride());
     best_.create(roi_.size(), CV_32FC1);
     best_.setTo(-1);
   }
@@ -175,10 +171,9 @@ class CoarseSearch {
 
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
-                                                const cv::Rect& roi, std::size_t most,
-                                                const AngleRange& sector) {
+                                                const cv::Rect& roi, std::size_t most) {
   if (roi.empty()) return {};
-  return CoarseSearch(bank, image, roi, sector).run(most);
+  return CoarseSearch(bank, image, roi).run(most);
 }
 
 cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey) {

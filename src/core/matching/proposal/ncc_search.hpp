@@ -6,19 +6,17 @@
 #include <vector>
 
 #include "imaging/padded_image.hpp"
-#include "matching/proposal/angle_range.hpp"
 #include "matching/proposal/template_bank.hpp"
 #include "matching/template/candidate.hpp"
 
 namespace mbncc::proposal {
 
 /// Local maxima of the similarity over positions in `roi` [px at the bank's level] and
-/// over rotations in `sector`. `image` is the bank's level, with a margin of more than the bank's
-/// radius; `roi` lies in it.
+/// all rotations. `image` is the bank's level, with a margin of more than the bank's radius; `roi`
+/// lies in it.
 std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
-                                                const cv::Rect& roi, std::size_t most,
-                                                const AngleRange& sector);
+                                                const cv::Rect& roi, std::size_t most);
 
 /// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; negative
 /// values are not computed. `grey` is the bank's level, CV_8UC1.

@@ -25,7 +25,7 @@ cv::Rect at_level(const cv::Rect& roi, int level) {
 const std::vector<templates::Candidate>& Proposals::by_contour(std::size_t most) {
   const int level = view_.contour_bank.level();
   by_contour_ = proposal::contour_search(view_.contour_bank, scene_.levels[level],
-                                         at_level(roi_, level), most, view_.sector, places_);
+                                         at_level(roi_, level), most, places_);
   return by_contour_;
 }
 
@@ -33,9 +33,8 @@ std::vector<templates::Candidate> Proposals::by_correlation(std::size_t most) co
   const int level = view_.template_bank.level;
   if (!view_.template_bank.searched()) return {};  // only contours are used
   const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
-  return proposal::coarse_search(view_.template_bank,
-                                 *scene_.padded(level, view_.template_bank.radius + 1), inside,
-                                 most, view_.sector);
+  return proposal::coarse_search(
+      view_.template_bank, *scene_.padded(level, view_.template_bank.radius + 1), inside, most);
 }
 
 bool Proposals::foremost_by_contour(const Pose2D& pose, std::size_t count) const {
@@ -51,11 +50,10 @@ bool Proposals::foremost_by_contour(const Pose2D& pose, std::size_t count) const
 void Proposals::search_partial_contours() {
   const int level = view_.contour_bank.level();
   next_ = 0;
-  partial_ =
-      ranked_by_colours(view_, scene_,
-                        proposal::contour_search(view_.contour_bank, scene_.levels[level],
-                                                 at_level(roi_, level), kRanked, view_.sector,
-                                                 places_, proposal::OutlinePart::kThreeQuarters));
+  partial_ = ranked_by_colours(
+      view_, scene_,
+      proposal::contour_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level),
+                               kRanked, places_, proposal::OutlinePart::kThreeQuarters));
 }
 
 std::vector<templates::Candidate> Proposals::next_by_partial_contour(

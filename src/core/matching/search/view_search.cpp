@@ -21,15 +21,6 @@ constexpr double kLikely = 0;       // ... and all others with at least these lo
 constexpr double kSamePose = 1e-6;  // [px]
 constexpr double kOtherAngle = to_radians(10.);
 
-/// A view that is searched at part of the rotations gets proportionally fewer candidates.
-SearchBudget for_sector(SearchBudget budget, const proposal::AngleRange& sector) {
-  const double share = std::min(1.0, (sector.high - sector.low) / (2 * kPi));
-  for (auto* count : {&budget.contour_proposals, &budget.best_by_contour, &budget.correlated_places,
-                      &budget.judged, &budget.entering})
-    *count = static_cast<std::size_t>(std::ceil(share * static_cast<double>(*count)));
-  return budget;
-}
-
 /// With a colour prefilter, the places of the view's colours; otherwise everywhere.
 proposal::SearchMask places_for(const prepared::PreparedView& view, const scene::SceneImage& scene,
                                 SearchMode mode) {
@@ -61,7 +52,7 @@ class ViewSearch {
         scene_(scene),
         roi_(roi),
         mode_(mode),
-        first_(for_sector(is_reduced(mode) ? kReducedSearch : SearchBudget(), view.sector)),
+        first_(is_reduced(mode) ? kReducedSearch : SearchBudget()),
         proposals_(view, scene, roi, places_for(view, scene, mode)) {}
 
   std::vector<decision::Detection> run() {
@@ -89,21 +80,19 @@ class ViewSearch {
   /// candidates may have used up its budget.
   bool may_have_missed(const std::vector<templates::Candidate>& candidates) const {
     if (is_reduced(mode_)) return false;
-    return (mode_ == SearchMode::kThorough && !is_likely(candidates)) ||
-           likely_places(candidates).size() >= kManyFound;
+    return !is_likely(candidates) || likely_places(candidates).size() >= kManyFound;
   }
 
   /// Follows further proposals, outside the places of found instances, as long as that adds to
   /// many.
   void search_again(std::vector<templates::Candidate>& candidates) {
     constexpr double kNear = 0.35;  // [radii]: proposals of an instance that is already found
-    const SearchBudget budget = for_sector(kFurtherSearch, view_.sector);
     proposals_.search_partial_contours();
     std::vector<templates::Candidate> found;
     if (is_likely(candidates)) found = likely_places(candidates);
     for (;;) {
-      merge(track_down(view_, scene_, budget,
-                       proposals_.next_by_partial_contour(budget.contour_proposals, found,
+      merge(track_down(view_, scene_, kFurtherSearch,
+                       proposals_.next_by_partial_contour(kFurtherSearch.contour_proposals, found,
                                                           kNear * view_.shape.radius())),
             candidates);
       std::vector<templates::Candidate> more = likely_places(candidates);

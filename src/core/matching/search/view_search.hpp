@@ -10,13 +10,11 @@
 
 namespace mbncc::search {
 
-/// How thoroughly and where a view is searched. kQuick and kThorough also search again if many
-/// instances are found.
+/// How thoroughly and where a view is searched.
 enum class SearchMode {
   kReduced,            ///< with few candidates, because most of many objects are not in the image
   kColourPrefiltered,  ///< like kReduced, but only where the object's colours occur
-  kQuick,              ///< not again if nothing is found, because another view may find the object
-  kThorough            ///< again with more candidates if nothing is found
+  kThorough            ///< again with more candidates if none or many instances are found
 };
 
 /// Whether few candidates are used, because most objects are absent.
