@@ -33,8 +33,10 @@ struct TrackedMatch {
   /// The confirmed instance of its name that the tf frame object_<name> follows: the same one until
   /// it is no longer confirmed, then the one with the best score.
   bool is_best = false;
-  double seen_at = 0;                ///< [s] stamp of the image it was detected in
-  double valid_until = 0;            ///< [s] seen_at plus max_age
+  double seen_at = 0;  ///< [s] stamp of the image it was detected in
+  /// [s] seen_at plus max_age; earlier if it moves (when it is expected to have moved by 2 px
+  /// or 1.5 degrees) or has been observed for less than half of max_age.
+  double valid_until = 0;
   std::vector<std::string> reasons;  ///< why it is not confirmed; empty when it is
 };
 
@@ -66,14 +68,23 @@ class InstanceTracker {
   void reset();
 
  private:
+  struct Sighting {
+    double stamp;  // [s]
+    Pose2D pose;
+    cv::Matx33d covariance;
+  };
   struct Track {
     TrackedMatch last;
-    cv::Point2d velocity;        // [px/s] between the last two detections
-    std::deque<bool> graspable;  // of the last images, newest last
-    int missed = 0;              // images in a row
-    bool seen = false;           // in the current image
+    double begun = 0;                // [s] stamp of the first sighting
+    cv::Point2d velocity;            // [px/s] between the last two detections
+    std::deque<bool> graspable;      // of the last images, newest last
+    std::deque<Sighting> sightings;  // of the last half second, newest last
+    int missed = 0;                  // images in a row
+    bool seen = false;               // in the current image
 
     double distance_to(const Match& match, double stamp) const;
+    void add_sighting();
+    double validity() const;
   };
   struct ReleasedFrame {
     std::string name;

@@ -2,6 +2,8 @@
 #include "nodelets/matching/frame_permission.hpp"
 
 #include <algorithm>
+#include <opencv2/core.hpp>
+#include <string>
 
 #include "nodelets/conversion/pose_algebra.hpp"
 #include "nodelets/matching/graspable.hpp"
@@ -18,7 +20,9 @@ void note_age(DetectedObjectArray& array, const ros::Time& now) {
   for (auto& object : array.objects) {
     if (object.state != DetectedObject::CONFIRMED || now <= object.valid_until) continue;
     object.state = DetectedObject::NEW;
-    object.reasons = {"older than valid_until when it was published"};
+    const double valid = object.valid_until.toSec() - array.header.stamp.toSec();
+    object.reasons = {"older than valid_until when it was published (valid for " +
+                      std::to_string(cvRound(1000 * valid)) + " ms)"};
   }
 }
 

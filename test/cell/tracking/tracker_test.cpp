@@ -19,8 +19,87 @@ TEST(InstanceTracker, KeepsTheIdentityOfASlowlyMovingInstance) {
     EXPECT_EQ(tracked[0].instance_id, 1u);
     EXPECT_EQ(tracked[0].frame_index, 0);
     EXPECT_EQ(tracked[0].state, i < 2 ? TrackState::kNew : TrackState::kConfirmed);
-    EXPECT_DOUBLE_EQ(tracked[0].valid_until, i * 0.1 + 0.5);
   }
+}
+
+Match seen_at(double x, double theta, double deviation = 0.1) {
+  Match match = match_at(x, 100, theta);
+  const double variance = deviation * deviation;
+  match.covariance = cv::Matx33d::diag({variance, variance, variance / 3600});
+  return match;
+}
+
+// [px/s], [degrees/s] at 30 Hz
+TEST(InstanceTracker, APoseIsValidUntilTheInstanceHasMoved) {
+  for (const double speed : {0., 2., 5., 20., 90., 500.})
+    for (const double rotation : {0., 20., 60.}) {
+      InstanceTracker tracker;
+      for (int i = 0; i < 30; ++i) {
+        const double stamp = i / 30.;
+        const auto tracked =
+            tracker.update(stamp, {seen_at(100 + speed * stamp, to_radians(rotation) * stamp)});
+        EXPECT_EQ(tracked[0].instance_id, 1u);
+        const double valid = tracked[0].valid_until - stamp;
+        EXPECT_GE(valid, 0);
+        EXPECT_LE(valid, 0.5 + 1e-9);
+        if (i < 2) continue;  // not yet confirmed
+        EXPECT_LE(valid * speed, 4 + 1e-9);
+        EXPECT_LE(valid * rotation, 3.5);
+        if (i < 15) continue;
+        if (speed <= 2 && rotation == 0) {
+          EXPECT_NEAR(valid, 0.5, 1e-9);
+        }
+        if (speed > 2) {
+          EXPECT_GE(valid * std::max(speed / 2, rotation / 1.5), 0.9);
+        }
+      }
+    }
+}
+
+TEST(InstanceTracker, AnInstanceThatHasStoppedIsValidForMaxAgeAfterHalfASecond) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 60; ++i) {
+    const double stamp = i / 30.;
+    const auto tracked = tracker.update(stamp, {seen_at(100 + 3 * std::min(i, 20), 0)});
+    const double valid = tracked[0].valid_until - stamp;
+    if (i > 0 && i < 20 + 10) {
+      EXPECT_LT(valid, 0.3) << i;
+    }
+    if (i > 20 + 15) {
+      EXPECT_NEAR(valid, 0.5, 1e-9) << i;
+    }
+  }
+}
+
+TEST(InstanceTracker, WhatTheCovariancesExplainIsNoMotion) {
+  const auto valid_after = [](double way, double turn, double deviation) {
+    InstanceTracker tracker;
+    for (const double stamp : {0., 0.3}) tracker.update(stamp, {seen_at(100, 0, deviation)});
+    return tracker.update(0.4, {seen_at(100 + way, to_radians(turn), deviation)})[0].valid_until -
+           0.4;
+  };
+  EXPECT_NEAR(valid_after(0.9, 0, 0.05), 0.5, 1e-9);
+  EXPECT_LT(valid_after(2, 0, 0.05), 0.3);
+  EXPECT_NEAR(valid_after(4, 0, 1), 0.5, 1e-9);
+  EXPECT_LT(valid_after(10, 0, 1), 0.1);
+  EXPECT_NEAR(valid_after(0, 0.7, 0.05), 0.5, 1e-9);
+  EXPECT_LT(valid_after(0, 1.5, 0.05), 0.3);
+}
+
+TEST(InstanceTracker, ANewInstanceIsValidForTwiceAsLongAsItHasBeenObserved) {
+  InstanceTracker tracker;
+  for (int i = 0; i < 10; ++i) {
+    const double stamp = 0.05 * i;
+    const auto tracked = tracker.update(stamp, {seen_at(100, 0)});
+    const double valid = i == 0 ? 0.5 : std::min(0.5, 2 * stamp);
+    EXPECT_NEAR(tracked[0].valid_until - stamp, valid, 1e-9) << i;
+  }
+}
+
+TEST(InstanceTracker, TheLastTwoSightingsAreComparedHoweverFarApart) {
+  InstanceTracker tracker;
+  tracker.update(0, {seen_at(100, 0)});
+  EXPECT_LT(tracker.update(2, {seen_at(110, 0)})[0].valid_until, 2.5);
 }
 
 TEST(InstanceTracker, AnswersInTheOrderOfTheMatches) {

@@ -14,6 +14,17 @@ constexpr double kGateShare = 0.5;            // gate as a part of the outline's
 constexpr double kLeastGate = 5;              // [px] least gate
 constexpr double kLongestGuess = 0.5;         // [s] for which a motion is extrapolated
 constexpr double kAngleJump = to_radians(3);  // [rad] torn images cause larger jumps
+constexpr double kObserved = 0.5;             // [s] for which sightings are compared
+
+struct Motion {
+  double distance, angle;  // [px], [rad]
+};
+constexpr Motion kAllowed{2, to_radians(1.5)};      // until a pose is no longer valid
+constexpr Motion kUncounted{0.5, to_radians(0.5)};  // motions that are not counted, besides ...
+constexpr double kDeviations = 3;                   // ... this many standard deviations
+// A pose is valid for this many times as long as the instance has been observed, because a new one
+// may move by up to kUncounted unnoticed.
+constexpr double kAhead = 2;
 
 /// Distance [px] within which a match continues an instance.
 double gate_of(const Match& match) {
@@ -114,6 +125,33 @@ double InstanceTracker::Track::distance_to(const Match& match, double stamp) con
   return std::min(cv::norm(way), cv::norm(way - velocity * passed));
 }
 
+void InstanceTracker::Track::add_sighting() {
+  sightings.push_back({last.seen_at, last.match.pose, last.match.covariance});
+  while (sightings.size() > 2 && last.seen_at - sightings.front().stamp > kObserved)
+    sightings.pop_front();
+}
+
+/// Time [s] for which the last pose is valid: until the instance has moved by kAllowed if it moves
+/// on as it has since any earlier sighting; infinite after the first.
+double InstanceTracker::Track::validity() const {
+  const Sighting& now = sightings.back();
+  const auto share_of = [](double motion, double uncounted, double allowed, double variance) {
+    return std::max(0., motion - uncounted - kDeviations * std::sqrt(variance)) / allowed;
+  };
+  const double observed = now.stamp - begun;
+  double valid = observed > 0 ? kAhead * observed : std::numeric_limits<double>::infinity();
+  for (const auto& before : sightings) {
+    const cv::Matx33d c = now.covariance + before.covariance;
+    const double moved =
+        std::max(share_of(cv::norm(now.pose.position() - before.pose.position()),
+                          kUncounted.distance, kAllowed.distance, c(0, 0) + c(1, 1)),
+                 share_of(angle_distance(now.pose.theta, before.pose.theta, last.match.symmetry),
+                          kUncounted.angle, kAllowed.angle, c(2, 2)));
+    if (moved > 0) valid = std::min(valid, (now.stamp - before.stamp) / moved);
+  }
+  return valid;
+}
+
 /// Nearest pairs first; nullptr if a match starts a new instance.
 std::vector<InstanceTracker::Track*> InstanceTracker::associate(double stamp,
                                                                 const std::vector<Match>& matches) {
@@ -147,6 +185,7 @@ InstanceTracker::Track& InstanceTracker::begin_track(double stamp, const Match& 
   track.last.match = match;
   track.last.seen_at = stamp;
   track.last.instance_id = next_id_++;
+  track.begun = stamp;
   track.last.frame_index = index;
   return track;
 }
@@ -162,8 +201,9 @@ void InstanceTracker::see(Track& track, const Match& found, double stamp) {
   while (static_cast<int>(track.graspable.size()) > config_.confirm_window)
     track.graspable.pop_front();
   track.last.match = match;
-  track.last.valid_until = stamp + config_.max_age;
   track.last.seen_at = stamp;
+  track.add_sighting();
+  track.last.valid_until = stamp + std::min(config_.max_age, track.validity());
   track.seen = true;
   track.missed = 0;
   const auto times = std::count(track.graspable.begin(), track.graspable.end(), true);
