@@ -20,6 +20,7 @@ constexpr int kPairs = 3;  // successive images with a calibration of their own,
                            // is expected to have one
 constexpr std::chrono::seconds kPatience{1};  // for the next image with a calibration of its own
 constexpr std::chrono::seconds kSettled{2};   // after which a calibration that changed is in force
+constexpr double kDisorder = 0.05;            // [s] by which stamps go back only with the clock
 constexpr std::size_t kMostStored = 100;      // more than the images that wait for a search
 
 /// The serialized calibration without its header, because NaN would differ from itself.
@@ -51,6 +52,19 @@ bool is_same(const ros::Time& a, const ros::Time& b) {
 }  // namespace
 
 void CameraInfoHistory::add(const CameraInfoConstPtr& info, Clock::time_point now) {
+  const auto of_same_images = [&](const Received& other) {
+    return other.info->header.frame_id == info->header.frame_id &&
+           image_size(*other.info) == image_size(*info);
+  };
+  const auto stamp = [](const CameraInfoConstPtr& one) { return one->header.stamp.toSec(); };
+  const auto last = std::find_if(received_.rbegin(), received_.rend(), of_same_images);
+  if (last != received_.rend() && stamp(last->info) - stamp(info) > kDisorder)
+    received_.erase(std::remove_if(received_.begin(), received_.end(),
+                                   [&](const Received& other) {
+                                     return of_same_images(other) &&
+                                            stamp(other.info) > stamp(info);
+                                   }),
+                    received_.end());
   received_.push_back({info, now});
   if (received_.size() > kMostStored) received_.pop_front();
 }

@@ -20,6 +20,8 @@ class CameraInfoHistory {
   /// A calibration expires `max_age` [s] after it was received.
   explicit CameraInfoHistory(double max_age) : max_age_(max_age) {}
 
+  /// If the stamps of a frame and size go back by more than 50 ms, as after the clock was set back,
+  /// those that are later are discarded: they are of before.
   void add(const sensor_msgs::CameraInfoConstPtr& info, Clock::time_point now = Clock::now());
   void clear();
 

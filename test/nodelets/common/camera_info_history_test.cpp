@@ -106,6 +106,28 @@ TEST_F(CameraInfoHistoryTest, OtherFramesAndSizesDoNotCount) {
   EXPECT_EQ(of_image(2, {320, 240}), 0);
 }
 
+TEST_F(CameraInfoHistoryTest, AClockThatIsSetBackDiscardsEarlierCalibrations) {
+  for (int i = 100; i < 110; ++i) receive(i, 500);
+  receive(42, 700);
+  EXPECT_EQ(of_image(42.5), 700);
+  EXPECT_EQ(of_image(42), 700);
+  receive(41.98, 700, "other");
+  EXPECT_EQ(of_image(42.5), 700) << "slightly out of order";
+}
+
+TEST_F(CameraInfoHistoryTest, AnImageIsNotMeasuredWithALateCalibration) {
+  for (int i = 1; i <= 4; ++i) {
+    receive(i, 700);
+    of_image(i);
+  }
+  receive(5, 700);
+  receive(4.9, 500);
+  EXPECT_EQ(of_image(5), 0) << "its own calibration was discarded";
+  receive(5.2, 700, "other");
+  receive(5.1, 500);
+  EXPECT_EQ(of_image(5.1), 500) << "those of other frames do not count";
+}
+
 TEST_F(CameraInfoHistoryTest, ACalibrationExpires) {
   receive(1, 500);
   EXPECT_TRUE(history_.newest(now_));
