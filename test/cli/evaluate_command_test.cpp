@@ -34,6 +34,15 @@ TEST_F(EvaluateCommand, CountsDetections) {
   EXPECT_TRUE(run.prints("0 wrong grasps"));
 }
 
+TEST_F(EvaluateCommand, ReadsTheFilesThatSpreadsheetsWrite) {
+  const std::string written =
+      "\xEF\xBB\xBFimage,\"name\",x,y,theta_deg,\r\n\"target.png\",\"part\",\"195\",125,70,\r\n";
+  const ToolRun run = evaluate(written);
+  EXPECT_EQ(run.code, 0) << run.err;
+  EXPECT_TRUE(run.prints("recall: 100.0 % (1 of 1)")) << run.out;
+  EXPECT_TRUE(evaluate("image,x,y\ntarget.png,\"1\"\"2\",3\n").says("not a number: '1\"2'"));
+}
+
 TEST_F(EvaluateCommand, WritesAPageWithImagesOfFaults) {
   const ToolRun run =
       evaluate("image,x,y,theta_deg\ntarget.png,30,30,0\n", {"--page", folder_ / "page", "--json"});

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <sstream>
 #include <string_view>
 
 #include "mbncc/did_you_mean.hpp"
@@ -15,12 +14,30 @@
 namespace mbncc::cli {
 namespace {
 
+/// The cells of a line of CSV (RFC 4180), except that none may contain a line break.
 std::vector<std::string> cells_of(std::string line) {
   if (!line.empty() && line.back() == '\r') line.pop_back();
-  std::vector<std::string> cells;
-  std::istringstream stream(line);
-  for (std::string cell; std::getline(stream, cell, ',');) cells.push_back(cell);
+  if (line.empty()) return {};
+  std::vector<std::string> cells(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const bool escaped = quoted && line.compare(i, 2, "\"\"") == 0;
+    if (escaped)
+      cells.back() += line[i++];
+    else if (line[i] == '"')
+      quoted = !quoted;
+    else if (line[i] == ',' && !quoted)
+      cells.emplace_back();
+    else
+      cells.back() += line[i];
+  }
+  while (!cells.empty() && cells.back().empty()) cells.pop_back();
   return cells;
+}
+
+std::string without_byte_order_mark(const std::string& text) {
+  constexpr const char* kMark = "\xEF\xBB\xBF";
+  return text.rfind(kMark, 0) == 0 ? text.substr(3) : text;
 }
 
 const std::vector<std::string> kColumns = {"image", "name", "x", "y", "theta_deg"};
@@ -93,7 +110,7 @@ Truth read_truth(const std::string& path) {
   if (!is_text(line))
     throw FileError(path,
                     "not a text file; give a CSV file with the columns image,name,x,y,theta_deg");
-  const Columns columns(path, cells_of(line));
+  const Columns columns(path, cells_of(without_byte_order_mark(line)));
   Truth truth;
   for (int number = 2; std::getline(file, line); ++number) {
     const auto row = cells_of(line);
