@@ -71,22 +71,6 @@ void clear_instance_ids(DetectedObjectArray& array) {
   for (auto& object : array.objects) object.instance_id = 0;
 }
 
-/// Keeps the subscription to live images while it exists.
-class Listening {
- public:
-  explicit Listening(const FindTools& tools) : tools_(tools) {
-    tools_.images.enter();
-    tools_.wants_changed();
-  }
-  ~Listening() {
-    tools_.images.leave();
-    tools_.wants_changed();
-  }
-
- private:
-  const FindTools& tools_;
-};
-
 double timeout_of(const Request& request) {
   const double timeout = request.timeout.toSec();
   if (timeout < 0 || timeout > kLongestTimeout) refuse("timeout is not in 0 .. 60 s");
@@ -174,7 +158,7 @@ Detections FindService::find_given(const Request& request, const MatchingNodeCon
 
 Detections FindService::find_live(const Request& request, const MatchingNodeConfig& config,
                                   DetectionPipeline& pipeline, Clock::time_point deadline) {
-  const Listening listening(tools_);
+  const Listening listening(tools_.images, tools_.wants_changed);
   ros::Time after = ros::Time::now();
   StampGate gate(config.max_age, config.max_ahead);
   ReceivedImage received;

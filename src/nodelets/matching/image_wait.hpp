@@ -6,6 +6,7 @@
 #include <sensor_msgs/Image.h>
 
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 
 namespace mbncc::nodelets {
@@ -33,6 +34,27 @@ class ImageWait {
   sensor_msgs::ImageConstPtr newest_;
   int waiting_ = 0;
   bool closed_ = false;
+};
+
+/// Images are wanted during its lifetime.
+class Listening {
+ public:
+  /// `wants_changed` is called when live images become needed or unneeded. Both must outlive it.
+  Listening(ImageWait& images, const std::function<void()>& wants_changed)
+      : images_(images), wants_changed_(wants_changed) {
+    images_.enter();
+    wants_changed_();
+  }
+  ~Listening() {
+    images_.leave();
+    wants_changed_();
+  }
+  Listening(const Listening&) = delete;
+  Listening& operator=(const Listening&) = delete;
+
+ private:
+  ImageWait& images_;
+  const std::function<void()>& wants_changed_;
 };
 
 }  // namespace mbncc::nodelets
