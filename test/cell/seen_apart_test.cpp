@@ -46,7 +46,7 @@ class SeenApart : public testing::Test {
 
   /// Whether the look-alike is graspable in the video although it is not in this image.
   bool is_wrongly_graspable(const cv::Mat& image) {
-    const bool graspable = is_graspable(video_.find(matcher_, number_++ / 30., image));
+    const bool graspable = is_graspable(video_.find(matcher_, number_++ / 30., image, request_));
     return graspable && !is_graspable(matcher_.find(image));
   }
 
@@ -60,6 +60,7 @@ class SeenApart : public testing::Test {
   }()};
   Matcher matcher_;
   VideoSearch video_;
+  SearchRequest request_;
   int number_ = 0;
 };
 
@@ -88,6 +89,17 @@ TEST_F(SeenApart, WhenThePartWasHiddenForATime) {
     wrong += is_wrongly_graspable(shown) && i >= 120 ? 1 : 0;
   }
   EXPECT_LE(wrong, 1);
+}
+
+TEST_F(SeenApart, WhenThePartComesAndGoesOutsideTheRegion) {
+  request_.roi = cv::Rect(80, 80, 41, 41);
+  int wrong = 0;
+  for (int i = 0; i < 120; ++i) {
+    const bool is_wrong = is_wrongly_graspable(image(i >= 15 && i < 80));
+    wrong += is_wrong && i >= 20 ? 1 : 0;  // what has just come is searched for once it is at rest
+  }
+  EXPECT_LE(wrong, 1);
+  EXPECT_TRUE(is_graspable(video_.find(matcher_, number_ / 30., image(false), request_)));
 }
 
 }  // namespace

@@ -60,10 +60,20 @@ std::shared_ptr<const ObjectModel> taught(const Kind& kind) {
   return model;
 }
 
+enum class Shown { kFewObjects, kLargeLibrary, kRegion };
+
+/// A region [px] of the image.
+cv::Rect any_region(cv::RNG random) {
+  const cv::Size size(random.uniform(60, 180), random.uniform(60, 140));
+  return {random.uniform(0, kSmall.width - size.width),
+          random.uniform(0, kSmall.height - size.height), size.width, size.height};
+}
+
 class Story {
  public:
-  explicit Story(std::uint64_t seed, bool large_library = false)
-      : random_(seed), kinds_(kinds_of(100 + seed % 7, large_library)) {
+  explicit Story(std::uint64_t seed, Shown shown = Shown::kFewObjects)
+      : random_(seed), kinds_(kinds_of(100 + seed % 7, shown == Shown::kLargeLibrary)) {
+    if (shown == Shown::kRegion) request_.roi = any_region(cv::RNG(seed));
     sim::SceneConfig config;
     config.size = kSmall;
     config.seed = seed;
@@ -82,7 +92,7 @@ class Story {
       happen();
     now_ += random_.uniform(0, 8) == 0 ? random_.uniform(0.1, 2.0) : 1. / 30;
     image_ = scene_->render(placed_, static_cast<std::uint64_t>(frames_++), arm_) * gain_;
-    result_ = video_.find(matcher_, now_, image_);
+    result_ = video_.find(matcher_, now_, image_, request_);
     whole_ = count_graspable() > 0 ? matcher_.find(image_) : SearchResult{};
     return std::any_of(result_.matches.begin(), result_.matches.end(), [this](const Match& match) {
       return match.graspable && is_denied(match) && !is_overlooked(match);
@@ -220,6 +230,7 @@ class Story {
   std::vector<std::shared_ptr<const ObjectModel>> models_;
   Matcher matcher_;
   VideoSearch video_;
+  SearchRequest request_;
   std::vector<sim::Placed> placed_;
   std::optional<sim::Arm> arm_;
   double gain_ = 1, now_ = 0;
@@ -230,10 +241,10 @@ class Story {
 
 /// Shows `images` images of stories, starting with story `first`. Returns the number of graspable
 /// instances.
-int show(int first, int images, bool large_library = false) {
+int show(int first, int images, Shown mode = Shown::kFewObjects) {
   int graspable = 0;
   for (int shown = 0, story = first; shown < images; ++story) {
-    Story cell(static_cast<std::uint64_t>(story), large_library);
+    Story cell(static_cast<std::uint64_t>(story), mode);
     for (int i = 0; i < kImagesOfAStory && shown < images; ++i, ++shown) {
       if (cell.step()) ADD_FAILURE() << "story " << story << ", image " << i << '\n' << cell.text();
       graspable += cell.count_graspable();
@@ -252,7 +263,14 @@ TEST(WatchedRivals, GraspableInstancesPassAFullSearch) {
 // Of more than a few objects, a search examines only places that have the colours of an object.
 TEST(WatchedRivals, GraspableInstancesOfALargeLibraryPassAFullSearch) {
   const int images = number("MBNCC_IMAGES", 200);
-  const int graspable = show(number("MBNCC_FIRST_STORY", 1), images, true);
+  const int graspable = show(number("MBNCC_FIRST_STORY", 1), images, Shown::kLargeLibrary);
+  std::cout << images << " images, " << graspable << " graspable instances\n";
+  EXPECT_GT(graspable, 0);
+}
+
+TEST(WatchedRivals, GraspableInstancesInARegionPassAFullSearch) {
+  const int images = number("MBNCC_IMAGES", 400);
+  const int graspable = show(number("MBNCC_FIRST_STORY", 1), images, Shown::kRegion);
   std::cout << images << " images, " << graspable << " graspable instances\n";
   EXPECT_GT(graspable, 0);
 }

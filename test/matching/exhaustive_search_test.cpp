@@ -80,6 +80,9 @@ TEST_P(AgainstExhaustive, PolarFindsTheSamePose) {
   const SearchResult result = matcher.find(scene_, request);
   ASSERT_FALSE(result.matches.empty());
   expect_same(result.matches.front().pose, best);
+  const auto& reasons = result.matches.front().reasons;
+  EXPECT_NE(std::find(reasons.begin(), reasons.end(), "engine polar compares no other angles"),
+            reasons.end());
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, AgainstExhaustive,

@@ -36,11 +36,15 @@ class GreyImagesTest : public test::MatcherTest {
     return scene;
   }
 
+  /// Found, but not graspable, because colours could not be compared.
   void expect_found(const Matcher& matcher, const cv::Mat& image) const {
     const SearchResult result = matcher.find(image);
     ASSERT_EQ(result.matches.size(), 1u);
     expect_at(result.matches[0], truth_);
     EXPECT_GT(result.matches[0].score, 0.9);
+    EXPECT_FALSE(result.matches[0].graspable);
+    ASSERT_EQ(result.matches[0].reasons.size(), 1u);
+    EXPECT_NE(result.matches[0].reasons[0].find("colours cannot be compared"), std::string::npos);
   }
 
   const Pose2D truth_{150.3, 110.7, 0.9};
@@ -65,6 +69,12 @@ TEST_F(GreyImagesTest, TeachObjectsFoundInColourImages) {
   expect_found(matcher_of({object_from(grey_source(), reference_)}), scene());
 }
 
+TEST_F(GreyImagesTest, ShowObjectsTaughtInGrey) {
+  const auto result = matcher_of({object_from(grey_source(), reference_)}).find(as_grey(scene()));
+  ASSERT_EQ(result.matches.size(), 1u);
+  EXPECT_TRUE(result.matches[0].graspable);
+}
+
 TEST_F(GreyImagesTest, OneGreyViewMakesAnObjectGrey) {
   const auto model = object_from(source_, reference_);
   model->views.push_back(object_from(grey_source(), reference_)->views.front());
@@ -83,6 +93,7 @@ TEST_F(GreyImagesTest, ObjectsTaughtEitherWayAreFoundTogether) {
   const bool in_order = result.matches[0].name == "grey";
   expect_at(result.matches[in_order ? 0 : 1], truth_);
   expect_at(result.matches[in_order ? 1 : 0], other_truth);
+  for (const auto& match : result.matches) EXPECT_EQ(match.graspable, match.name == "coloured");
 }
 
 }  // namespace

@@ -257,6 +257,28 @@ TEST_F(MatcherTest, LooksForReferencePointsInTheRegionOnly) {
   EXPECT_TRUE(matcher().find(scene, request).matches.empty());
 }
 
+// A weaker instance in the region, a perfect one outside.
+TEST_F(MatcherTest, WhatLiesOutsideTheRegionCounts) {
+  const Pose2D outside{250, 160, -1}, within{90, 90, 0.3};
+  cv::Mat scene = texture({320, 240}, 64, 4);
+  place(scene, source_, reference_.position(), outside);
+  place(scene, source_, reference_.position(), within);
+  scene(cv::Rect(80, 20, 40, 60)) = cv::Scalar(40, 80, 120);
+  SearchRequest request;
+  request.roi = {60, 60, 60, 60};
+  const auto whole = matcher().find(scene), in_region = matcher().find(scene, request);
+  ASSERT_EQ(in_region.matches.size(), 1u);
+  const auto same =
+      std::find_if(whole.matches.begin(), whole.matches.end(), [&](const Match& match) {
+        return cv::norm(match.pose.position() - in_region.matches[0].pose.position()) < 1;
+      });
+  ASSERT_NE(same, whole.matches.end());
+  EXPECT_NEAR(in_region.matches[0].log_odds(), same->log_odds(), 1e-6);
+  cv::Mat alone = scene.clone();
+  alone(cv::Rect(190, 90, 130, 150)) = cv::Scalar(90, 110, 70);
+  EXPECT_LT(same->log_odds(), matcher().find(alone).matches.at(0).log_odds() - 0.5);
+}
+
 TEST_F(MatcherTest, FindsNothingWithoutAnObject) {
   const Matcher matcher = this->matcher();
   cv::Mat noise(240, 320, CV_8UC3);

@@ -31,7 +31,7 @@ class VideoSearch {
   /// Searches the next image, stamped `stamp` [s], which must not be before the last one. The
   /// objects of `matcher` may have changed since; another request, image size or limit restarts the
   /// search. Objects with places still to be searched are listed in SearchResult::skipped. Throws
-  /// as Matcher::find().
+  /// as Matcher::find(), and std::invalid_argument if request.part or occupied is set.
   SearchResult find(const Matcher& matcher, double stamp, const cv::Mat& image,
                     const SearchRequest& request = {});
 

@@ -18,7 +18,7 @@ struct MatchingNodeConfig {
   PlatformConfig platform;
   ImageConfig images;
   std::string library_path = "~/.ros/mbncc_library";  ///< folder of the learned objects
-  std::string search_roi;       ///< "x,y,width,height" [px] of reference points; "": whole image
+  std::string search_roi;       ///< "x,y,width,height" [px] of reported reference points; "": all
   double max_rate = 0;          ///< [Hz] limit of searched images; 0: every image that arrives
   int queue_size = 1;           ///< images that can wait for the search; 1: only the newest
   int confirm_frames = 3;       ///< images with a graspable detection needed ...
@@ -43,7 +43,8 @@ struct MatchingNodeConfig {
     SearchConfig::fields(self.search, visit);
     VideoConfig::fields(self.video, visit);
     visit(FieldInfo{"search_roi", Allowed::anything(), "px",
-                    "x,y,width,height that must contain the reference points; empty: everywhere"},
+                    "x,y,width,height that must contain the reference points of what is reported "
+                    "(the whole image is searched); empty: everywhere"},
           self.search_roi);
     visit(FieldInfo{"max_rate", Allowed::range(0, 1000), "Hz",
                     "limit of searched images per second; 0: every image that arrives"},

@@ -29,9 +29,12 @@ struct SearchConfig {
 
   template <class Self, class Visitor>
   static void fields(Self& self, Visitor&& visit) {
-    visit(FieldInfo{"engine", Allowed::one_of({"fast", "polar"}), "",
-                    "fast: image pyramid and rotated templates; polar: the paper's polar matching"},
-          self.engine);
+    visit(
+        FieldInfo{
+            "engine", Allowed::one_of({"fast", "polar"}), "",
+            "fast: image pyramid and rotated templates; polar: the paper's polar matching, never "
+            "graspable, because it compares no other angles"},
+        self.engine);
     visit(FieldInfo{"accept_by", Allowed::one_of({"score", "similarity"}), "",
                     "value that the thresholds compare: the score or the similarity"},
           self.accept_by);

@@ -72,13 +72,13 @@ struct Match {
 Match equivalent_towards(double theta, Match match);
 
 /// A candidate that was considered but not reported, because it is weak, overlaps a better one, or
-/// lies outside SearchRequest::roi.
+/// lies outside SearchRequest::part.
 struct Rival {
   std::string name;
   cv::Point2d position;  ///< [px] of its reference point
   LogOdds odds;
   std::vector<cv::Point2f> outline;  ///< [px] see Match::outline
-  bool in_roi = true;                ///< its reference point lies in SearchRequest::roi
+  bool in_part = true;               ///< its reference point lies in SearchRequest::part
 
   /// Without calibration.
   double log_odds() const { return odds.uncalibrated(); }

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,14 +19,21 @@ namespace mbncc {
 /// A search request. Its defaults select what is configured.
 struct SearchRequest {
   std::vector<std::string> names;  ///< empty: all enabled objects
-  /// [px] Must contain the reference points, of symmetric objects at one of the equivalent poses,
-  /// which is then reported. May exceed the image. Empty: everywhere.
+  /// [px] Only matches whose reference points lie in it are reported, symmetric objects at an
+  /// equivalent pose. It limits no search, because what lies outside competes and counts as
+  /// clutter. May exceed the image. Empty: everywhere.
   cv::Rect roi;
   double min_score = -1;  ///< negative: the configured one, or the object's own
   int max_instances = 0;  ///< 0: the configured one
   /// Total number of objects if this request is part of a larger search whose objects are searched
   /// one by one. Effort and scores are then those of a joint search.
   std::size_t among = 0;
+  /// [px] Limits the search to reference points in it, for a caller who knows what lies outside:
+  /// see `clutter` and `elsewhere`. Empty: the whole image is searched.
+  cv::Rect part;
+  /// Whether the image is grey, so that colours cannot be compared; without a value, its pixels
+  /// tell. Those of a part of a colour image may all be grey.
+  std::optional<bool> is_grey;
   /// For a search in part of an image, by object name. `clutter`: least log-odds to subtract from
   /// scores, taken from SearchResult::clutter of the whole image. `elsewhere`: uncalibrated
   /// log-odds of the best instance outside the part.
@@ -40,7 +48,7 @@ struct SearchResult {
   std::vector<std::string> searched;  ///< names that were searched
   std::vector<std::string> skipped;   ///< "name: reason"
   std::vector<std::string> limited;   ///< names of which there may be more, see names_at_limit()
-  std::vector<Rival> rivals;          ///< all candidates that are not among the matches
+  std::vector<Rival> rivals;          ///< all candidates that are no matches in the whole image
   std::map<std::string, double>
       clutter;  ///< by name: log-odds subtracted from scores because of look-alikes elsewhere
   bool budget_exceeded = false;

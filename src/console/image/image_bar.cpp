@@ -8,7 +8,7 @@
 namespace mbncc::console {
 namespace {
 
-constexpr const char* kRegionTip = "Draw a box; nothing is searched outside of it";
+constexpr const char* kRegionTip = "Draw a box; nothing is reported outside of it";
 
 }  // namespace
 

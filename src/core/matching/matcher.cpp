@@ -5,10 +5,12 @@
 #include <atomic>
 #include <chrono>
 #include <future>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <optional>
 
 #include "matching/decision/conclusion.hpp"
+#include "matching/decision/report.hpp"
 #include "matching/decision/selection.hpp"
 #include "matching/prepared/comparison.hpp"
 #include "matching/proposal/ncc_search.hpp"
@@ -22,6 +24,8 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 using ObjectList = std::vector<std::shared_ptr<const prepared::PreparedObject>>;
+
+constexpr int kUnlimited = std::numeric_limits<int>::max();
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -146,8 +150,13 @@ struct Matcher::Implementation {
   /// Searches `image` for `wanted`, and again after removal of a colour cast estimated from the
   /// detections, unless the time budget ends that search: all detections are of one image, so that
   /// they can be compared.
-  SearchState search(const ObjectList& wanted, const cv::Mat& image, const SearchRequest& request,
-                     Clock::time_point start) const;
+  SearchState search(const ObjectList& wanted, const cv::Mat& image, bool grey,
+                     const SearchRequest& request, Clock::time_point start) const;
+
+  /// Per name.
+  int most_instances(const SearchRequest& request) const {
+    return request.max_instances > 0 ? request.max_instances : config.max_instances;
+  }
 
   decision::AcceptanceSettings acceptance(const SearchRequest& request, std::size_t objects) const;
 };
@@ -207,7 +216,7 @@ ObjectList Matcher::Implementation::wanted(const SearchRequest& request, cv::Siz
 }
 
 SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::Mat& image,
-                                            const SearchRequest& request,
+                                            bool grey, const SearchRequest& request,
                                             Clock::time_point start) const {
   const search::SearchMode mode = mode_for(wanted.size(), request, config);
   const auto time_is_up = [&] {
@@ -219,19 +228,19 @@ SearchState Matcher::Implementation::search(const ObjectList& wanted, const cv::
       const bool first = i == 0;  // otherwise a short budget would never find anything
       if (!first && time_is_up()) return;
       findings.found[i] =
-          search::search_object(*compared[i].object, *compared[i].scene, request.roi, mode);
+          search::search_object(*compared[i].object, *compared[i].scene, request.part, mode);
       findings.searched[i] = 1;
     });
     compare_in_place(compared, request, findings);
     return findings;
   };
-  const auto shown = prepared::comparisons(wanted, image, scenes);
+  const auto shown = prepared::comparisons(wanted, image, grey, scenes);
   SearchState findings = search_all(shown);
   if (mode != search::SearchMode::kColourPrefiltered || time_is_up()) return findings;
   const auto cast = search::colour_cast(shown, findings.found);
   if (!cast) return findings;
   SearchState balanced =
-      search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), scenes));
+      search_all(prepared::comparisons(wanted, search::without_cast(image, *cast), grey, scenes));
   return balanced.complete() ? balanced : findings;
 }
 
@@ -239,11 +248,11 @@ decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchReq
                                                                  std::size_t objects) const {
   return {config,
           request.min_score >= 0 ? std::make_optional(request.min_score) : std::nullopt,
-          request.max_instances > 0 ? request.max_instances : config.max_instances,
+          request.roi.empty() ? most_instances(request) : kUnlimited,
           request.clutter,
           request.elsewhere,
           std::max(objects, request.among),
-          request.roi};
+          request.part.empty() ? std::nullopt : std::make_optional(request.part)};
 }
 
 /// Without a comparison with the objects that were skipped for lack of time, no match is graspable.
@@ -254,6 +263,22 @@ void doubt_without_comparison(const ObjectList& objects, const SearchState& find
   const auto& first = *objects[static_cast<std::size_t>(skipped - findings.searched.begin())];
   for (auto& match : matches) {
     match.doubts.push_back({false, "not compared with " + first.model->name + ": time budget"});
+    decision::conclude(match, config);
+  }
+}
+
+/// An object that is taught in colour and searched for in a grey image, or the reverse, is compared
+/// in grey, where another object of the same outline may look the same.
+void doubt_without_colours(const ObjectList& objects, bool coloured, const SearchConfig& config,
+                           std::vector<Match>& matches) {
+  for (auto& match : matches) {
+    const auto object = std::find_if(objects.begin(), objects.end(), [&](const auto& one) {
+      return one->model->name == match.name;
+    });
+    if ((*object)->coloured == coloured) continue;
+    match.doubts.push_back(
+        {false, coloured ? "taught in grey, so colours cannot be compared; teach it in colour"
+                         : "the image is grey, so colours cannot be compared; teach it in grey"});
     decision::conclude(match, config);
   }
 }
@@ -352,13 +377,18 @@ SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) c
   scene::check_searchable(image);
   SearchResult result;
   const ObjectList objects = implementation_->wanted(request, image.size(), result);
-  const SearchState findings = implementation_->search(objects, image, request, start);
+  const bool grey = request.is_grey ? *request.is_grey : scene::is_grey(image);
+  const SearchState findings = implementation_->search(objects, image, grey, request, start);
   note_searched(objects, findings, result);
   const auto acceptance = implementation_->acceptance(request, objects.size());
   decision::Selection selection = decision::select_matches(all_of(findings), acceptance);
   result.matches = std::move(selection.matches);
   doubt_without_comparison(objects, findings, implementation_->config, result.matches);
-  result.limited = names_at_limit(result.matches, acceptance.max_instances);
+  doubt_without_colours(objects, !grey, implementation_->config, result.matches);
+  const int most = implementation_->most_instances(request);
+  result.matches =
+      decision::reported(std::move(result.matches), request.roi, most, implementation_->config);
+  result.limited = names_at_limit(result.matches, most);
   result.rivals = std::move(selection.rivals);
   result.clutter = std::move(selection.clutter);
   result.search_time = seconds_since(start);

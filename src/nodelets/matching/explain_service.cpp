@@ -49,11 +49,8 @@ bool ExplainService::on_call(Request& request, Response& response) {
 }
 
 sensor_msgs::Image ExplainService::live_image() const {
-  tools_.images.enter();
-  tools_.wants_changed();
+  const Listening listening(tools_.images, tools_.wants_changed);
   const auto image = tools_.images.next(ros::Time(), kPatience);
-  tools_.images.leave();
-  tools_.wants_changed();
   if (!image) throw std::runtime_error("no image arrived from the camera; check it, or send one");
   return *image;
 }
@@ -78,7 +75,7 @@ void ExplainService::explain(const Request& request, Response& response) const {
   }
   const cv::Rect roi = parse_roi(config.search_roi);
   if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))
-    miss.lines.push_back("The place lies outside search_roi, so nothing is searched here.");
+    miss.lines.push_back("The place lies outside search_roi, so nothing is reported here.");
   const auto explanations = mbncc::explain(miss);
   if (explanations.empty())
     miss.lines.push_back(

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
 #include "imaging/rectangles.hpp"
+#include "matching/scene/grey_image.hpp"
 
 namespace mbncc::incremental_search {
 namespace {
@@ -21,10 +23,14 @@ cv::Rect square_about(const cv::Point2d& middle, double reach) {
   return {cvRound(middle.x) - side / 2, cvRound(middle.y) - side / 2, side, side};
 }
 
-/// The objects are searched for one at a time, but scored as in a joint search.
-SearchRequest one_by_one(const Matcher& matcher, SearchRequest request) {
+/// The objects are searched for one at a time, but scored as in a joint search. The region of the
+/// request only selects what is reported, of all known instances.
+SearchRequest one_by_one(const Matcher& matcher, const cv::Mat& image, SearchRequest request) {
   const auto objects = request.names.empty() ? matcher.objects().size() : request.names.size();
   request.among = std::max(request.among, objects);
+  if (!request.roi.empty()) request.max_instances = std::numeric_limits<int>::max();
+  request.roi = {};
+  request.is_grey = scene::is_grey(image);
   return request;
 }
 
@@ -47,7 +53,7 @@ FrameSearch::FrameSearch(SearchMemory& memory, const VideoConfig& config, const 
       config_(config),
       matcher_(matcher),
       stamp_(stamp),
-      search_(matcher, image, one_by_one(matcher, memory.request)) {
+      search_(matcher, image, one_by_one(matcher, image, memory.request)) {
   drop_removed_objects(
       memory_.objects.update(matcher.objects(), matcher.unsearchable_in(image.size())));
   for (const auto& [name, object] : memory_.objects.all())

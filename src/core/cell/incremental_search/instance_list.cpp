@@ -125,7 +125,7 @@ Instance* InstanceList::admit(Instance found, double reach) {
 void InstanceList::compare(Instance& instance, const Rival& rival) const {
   const bool same = instance.match.name == rival.name;
   const bool here = outline_overlap(instance.match.outline, rival.outline) > decision::kOnePlace;
-  if (same ? here || !rival.in_roi || is_explained(rival) : !here) return;
+  if (same ? here || !rival.in_part || is_explained(rival) : !here) return;
   std::optional<Competitor>* best = &instance.elsewhere;
   if (!same) {
     const auto compared = instance.others.find(rival.name);

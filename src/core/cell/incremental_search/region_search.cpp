@@ -39,14 +39,13 @@ SearchResult RegionSearch::find(const cv::Rect& region, const std::vector<std::s
                                 double radius, const std::map<std::string, double>& clutter,
                                 const std::map<std::string, double>& elsewhere,
                                 const std::vector<Footprint>& occupied) {
-  const cv::Rect roi = request_.roi.empty() ? region : region & request_.roi;
   const cv::Rect crop = crop_about(region, radius);
   SearchResult result;
   result.searched = names;
-  if (roi.empty() || crop.empty() || names.empty()) return result;
+  if (crop.empty() || names.empty()) return result;
   SearchRequest request = request_;
   request.names = names;
-  request.roi = roi - crop.tl();
+  request.part = region - crop.tl();
   if (crop != whole()) {
     request.clutter = clutter;
     request.elsewhere = elsewhere;

@@ -15,7 +15,7 @@ namespace mbncc::incremental_search {
 /// Searches one image. `matcher` and `image` must outlive it.
 class RegionSearch {
  public:
-  /// `request` limits all searches and sets the search effort; its names are ignored.
+  /// `request` limits and scores all searches; its names and regions are ignored.
   RegionSearch(const Matcher& matcher, const cv::Mat& image, SearchRequest request)
       : matcher_(matcher), image_(image), request_(std::move(request)) {}
 

@@ -2,21 +2,11 @@
 #include "cell/incremental_search/search_memory.hpp"
 
 #include <algorithm>
+#include <utility>
+
+#include "matching/decision/report.hpp"
 
 namespace mbncc::incremental_search {
-namespace {
-
-void keep_best(int most, std::vector<Match>& matches) {
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.score > b.score; });
-  std::map<std::string, int> count;
-  matches.erase(std::remove_if(matches.begin(), matches.end(),
-                               [&](const Match& match) { return ++count[match.name] > most; }),
-                matches.end());
-}
-
-}  // namespace
-
 void SearchMemory::forget(const std::string& name) {
   pending.forget(name);
   clutter.erase(name);
@@ -39,7 +29,7 @@ SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
     result.matches.push_back(instance.judged(names, config));
   const int asked = memory.request.max_instances;
   const int most = asked > 0 ? asked : config.max_instances;
-  keep_best(most, result.matches);
+  result.matches = decision::reported(std::move(result.matches), memory.request.roi, most, config);
   result.limited = names_at_limit(result.matches, most);
   result.budget_exceeded = budget_exceeded;
   return result;

@@ -31,8 +31,8 @@ struct SearchMemory {
   double last_sweep = 0;                  ///< [s] stamp of the last search of the whole image
 };
 
-/// The result for an image from the known instances: at most request.max_instances (0: config's)
-/// per name, best first.
+/// The result for an image from the known instances: those in request.roi, at most
+/// request.max_instances (0: config's) per name, best first.
 SearchResult report_of(const SearchMemory& memory, const SearchConfig& config,
                        bool budget_exceeded);
 

@@ -2,6 +2,7 @@
 #include "mbncc/cell/video_search.hpp"
 
 #include <chrono>
+#include <stdexcept>
 
 #include "cell/incremental_search/frame_search.hpp"
 #include "matching/scene/grey_image.hpp"
@@ -47,6 +48,9 @@ void VideoSearch::reset() {
 SearchResult VideoSearch::find(const Matcher& matcher, double stamp, const cv::Mat& image,
                                const SearchRequest& request) {
   scene::check_searchable(image);
+  if (!request.part.empty() || !request.occupied.empty())
+    throw std::invalid_argument(
+        "a video search searches whole images; part and occupied must be empty");
   if (config_.sweep_time <= 0) return matcher.find(image, request);
   const auto start = Clock::now();
   const bool restarted = !state_ || !state_->serves(request, matcher.config(), image.size());

@@ -83,7 +83,7 @@ class PutAsideSearch {
 
   std::optional<NewPlace> find(const cv::Mat& after, const cv::Rect& place, const ObjectCut& cut) {
     SearchRequest request;
-    request.roi = place;
+    request.part = place;
     request.max_instances = 3;
     std::optional<NewPlace> best;
     for (const Match& match : matcher_.find(after, request).matches) {

@@ -62,7 +62,7 @@ void note_resemblance(ObjectModel& object, const cv::Mat& image,
   const View& view = object.views.back();
   const cv::Mat map = full_size_map(view);
   SearchRequest request;
-  request.roi = cv::Rect(view.origin, view.map.size());
+  request.part = cv::Rect(view.origin, view.map.size());
   Quality& quality = object.quality;
   for (const auto& match : matches_of(rivals, image, request, search)) {
     const auto rival = std::find_if(rivals.begin(), rivals.end(),

@@ -81,6 +81,7 @@ std::vector<Doubt> doubts_about(const Match& match, const Detection& detection,
           detection.detail_difference <= kOtherDetail))
       doubts.push_back({true, "print inside the outline differs"});
   }
+  if (config.engine == "polar") doubts.push_back({false, "engine polar compares no other angles"});
   if (!(detection.odds.total() >= kConvincing)) doubts.push_back({false, "evidence too weak"});
   doubt_deviations(match, grasp_covariance, config, doubts);
   if (!(match.visible >= config.min_visible))

@@ -2,20 +2,10 @@
 #include "matching/decision/detection.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "matching/decision/equivalent_pose.hpp"
 
 namespace mbncc::decision {
-namespace {
-
-/// Whether `roi` is empty or contains `point`. [px]
-bool contains(const cv::Rect& roi, cv::Point2d point) {
-  constexpr double kHalf = 0.5;  // [px] a pixel's area reaches this far beyond its centre
-  return roi.empty() || (point.x >= roi.x - kHalf && point.y >= roi.y - kHalf &&
-                         point.x < roi.br().x - kHalf && point.y < roi.br().y - kHalf);
-}
-
-}  // namespace
-
 bool at_one_place(const Detection& a, const Detection& b) {
   constexpr double kApart = 0.4;  // [radii] largest distance of one place
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius() &&
@@ -39,27 +29,16 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   return outline;
 }
 
-Pose2D object_pose_within(const Detection& detection, const cv::Rect& roi) {
+Pose2D object_pose_within(const Detection& detection, const std::optional<cv::Rect>& region) {
   const Pose2D pose = object_pose(detection);
-  const int symmetry = detection.view->symmetry;
-  if (symmetry == 1 || contains(roi, pose.position())) return pose;
-  const cv::Point2d centre =
-      transform(detection.pose, detection.scale * detection.view->symmetry_centre);
-  const cv::Point2d from = pose.position() - centre;
-  const cv::Point2d to = cv::Point2d(roi.tl() + roi.br()) / 2 - centre;
-  const auto turned = [&](double turn) {
-    const cv::Point2d position = centre + rotate(from, turn);
-    return Pose2D{position.x, position.y, wrap_angle(pose.theta + turn)};
-  };
-  for (int k = 1; k < symmetry; ++k) {
-    const Pose2D equivalent = turned(k * 2 * kPi / symmetry);
-    if (contains(roi, equivalent.position())) return equivalent;
-  }
-  return symmetry == 0 ? turned(std::atan2(from.cross(to), from.dot(to))) : pose;
+  if (!region) return pose;
+  return equivalent_within(
+      *region, pose, detection.view->symmetry,
+      transform(detection.pose, detection.scale * detection.view->symmetry_centre));
 }
 
-bool reference_within(const Detection& detection, const cv::Rect& roi) {
-  return contains(roi, object_pose_within(detection, roi).position());
+bool reference_within(const Detection& detection, const std::optional<cv::Rect>& region) {
+  return !region || contains(*region, object_pose_within(detection, region).position());
 }
 
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {

@@ -9,6 +9,7 @@
 
 #include "matching/evidence/evidence.hpp"
 #include "matching/prepared/comparison.hpp"
+#include "matching/scene/grey_image.hpp"
 #include "matching/search/occupied_search.hpp"
 
 namespace mbncc {
@@ -150,7 +151,8 @@ class Explainer {
     const double min_score = model->min_score.value_or(config_.min_score);
     const auto prepared = std::make_shared<const prepared::PreparedObject>(
         model, prepared::engine_of(config_), config_.scale_range);
-    const auto [object, scene] = prepared::comparisons({prepared}, image_, scenes_).front();
+    const auto [object, scene] =
+        prepared::comparisons({prepared}, image_, scene::is_grey(image_), scenes_).front();
     if (const Match* match = best_at(usual_.matches, model->name, place_)) {
       explanation.outcome = match->graspable ? Outcome::kGraspable : Outcome::kReported;
       take_match(*match, config_, min_score, explanation);

@@ -9,8 +9,7 @@ namespace mbncc::prepared {
 
 std::vector<Comparison> comparisons(
     const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& image,
-    scene::ScenePool& scenes) {
-  const bool grey = scene::is_grey(image);
+    bool grey, scene::ScenePool& scenes) {
   std::vector<Comparison> all;
   int top = 0;
   for (const auto& object : objects) {

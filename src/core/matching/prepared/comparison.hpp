@@ -17,9 +17,9 @@ struct Comparison {
 };
 
 /// One comparison per object, in the same order. Objects compared with the same image share a
-/// scene. `scenes` must outlive the comparisons.
+/// scene. `grey`: whether the image has no colour. `scenes` must outlive the comparisons.
 std::vector<Comparison> comparisons(
     const std::vector<std::shared_ptr<const PreparedObject>>& objects, const cv::Mat& image,
-    scene::ScenePool& scenes);
+    bool grey, scene::ScenePool& scenes);
 
 }  // namespace mbncc::prepared
