@@ -75,6 +75,16 @@ TEST_F(GreyImagesTest, ShowObjectsTaughtInGrey) {
   EXPECT_TRUE(result.matches[0].graspable);
 }
 
+// A JPEG image of a metal part on a grey table may have coloured pixels elsewhere only.
+TEST_F(GreyImagesTest, AGreyObjectIsGraspableThoughOtherThingsHaveColours) {
+  cv::Mat image = as_grey(scene());
+  cv::circle(image, {40, 200}, 20, cv::Scalar(30, 30, 220), cv::FILLED);
+  const auto result = matcher_of({object_from(grey_source(), reference_)}).find(image);
+  ASSERT_EQ(result.matches.size(), 1u);
+  expect_at(result.matches[0], truth_);
+  EXPECT_TRUE(result.matches[0].graspable);
+}
+
 TEST_F(GreyImagesTest, OneGreyViewMakesAnObjectGrey) {
   const auto model = object_from(source_, reference_);
   model->views.push_back(object_from(grey_source(), reference_)->views.front());

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "matching/decision/conclusion.hpp"
+#include "matching/decision/missing_colour.hpp"
 #include "matching/decision/report.hpp"
 #include "matching/decision/selection.hpp"
 #include "matching/prepared/comparison.hpp"
@@ -267,22 +268,6 @@ void doubt_without_comparison(const ObjectList& objects, const SearchState& find
   }
 }
 
-/// An object that is taught in colour and searched for in a grey image, or the reverse, is compared
-/// in grey, where another object of the same outline may look the same.
-void doubt_without_colours(const ObjectList& objects, bool coloured, const SearchConfig& config,
-                           std::vector<Match>& matches) {
-  for (auto& match : matches) {
-    const auto object = std::find_if(objects.begin(), objects.end(), [&](const auto& one) {
-      return one->model->name == match.name;
-    });
-    if ((*object)->coloured == coloured) continue;
-    match.doubts.push_back(
-        {false, coloured ? "taught in grey, so colours cannot be compared; teach it in colour"
-                         : "the image is grey, so colours cannot be compared; teach it in grey"});
-    decision::conclude(match, config);
-  }
-}
-
 /// Whether the object lies at another place as well, more likely than not.
 bool is_likely_elsewhere(const Match& match) {
   return std::any_of(
@@ -384,7 +369,12 @@ SearchResult Matcher::find(const cv::Mat& image, const SearchRequest& request) c
   decision::Selection selection = decision::select_matches(all_of(findings), acceptance);
   result.matches = std::move(selection.matches);
   doubt_without_comparison(objects, findings, implementation_->config, result.matches);
-  doubt_without_colours(objects, !grey, implementation_->config, result.matches);
+  const auto is_taught_in_colour = [&](const std::string& name) {
+    return std::any_of(objects.begin(), objects.end(),
+                       [&](const auto& one) { return one->model->name == name && one->coloured; });
+  };
+  decision::doubt_missing_colour(is_taught_in_colour, image, grey, implementation_->config,
+                                 result.matches);
   const int most = implementation_->most_instances(request);
   result.matches =
       decision::reported(std::move(result.matches), request.roi, most, implementation_->config);
