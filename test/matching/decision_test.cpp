@@ -182,7 +182,7 @@ TEST_F(DecisionTest, WhatLiesOutsideTheRegionIsNotReported) {
   };
   const Pose2D here = decision::object_pose(sound());
   decision::AcceptanceSettings acceptance{config_, std::nullopt, 1, {}, {}, 0};
-  acceptance.within = cv::Rect(cvRound(here.x) - 5, cvRound(here.y) - 5, 11, 11);
+  acceptance.part = cv::Rect(cvRound(here.x) - 5, cvRound(here.y) - 5, 11, 11);
   const auto alone = decision::select_matches({sound(), at(300, nullptr)}, acceptance);
   ASSERT_EQ(alone.matches.size(), 1u);
   EXPECT_TRUE(alone.matches[0].graspable);
@@ -206,7 +206,7 @@ TEST_F(DecisionTest, ASymmetricObjectIsReportedAtTheEquivalentPoseInTheRegion) {
     const cv::Point below(cvRound(here.x) + 100, cvRound(here.y) + 100);
     const cv::Point right(cvRound(here.x) + 200, cvRound(here.y));
     for (const auto& expected : {below, right}) {
-      acceptance.within = cv::Rect(expected.x - 5, expected.y - 5, 11, 11);
+      acceptance.part = cv::Rect(expected.x - 5, expected.y - 5, 11, 11);
       const auto matches = decision::select_matches({detection}, acceptance).matches;
       const bool equivalent = symmetry != 1 && (symmetry != 2 || expected == right);
       ASSERT_EQ(matches.size(), equivalent ? 1u : 0u) << symmetry << " " << expected;

@@ -253,7 +253,7 @@ decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchReq
           request.clutter,
           request.elsewhere,
           std::max(objects, request.among),
-          request.part.empty() ? std::nullopt : std::make_optional(request.part)};
+          request.part};
 }
 
 /// Without a comparison with the objects that were skipped for lack of time, no match is graspable.

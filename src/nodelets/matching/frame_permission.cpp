@@ -2,7 +2,7 @@
 #include "nodelets/matching/frame_permission.hpp"
 
 #include <algorithm>
-#include <opencv2/core.hpp>
+#include <cmath>
 #include <string>
 
 #include "nodelets/conversion/pose_algebra.hpp"
@@ -22,7 +22,7 @@ void note_age(DetectedObjectArray& array, const ros::Time& now) {
     object.state = DetectedObject::NEW;
     const double valid = object.valid_until.toSec() - array.header.stamp.toSec();
     object.reasons = {"older than valid_until when it was published (valid for " +
-                      std::to_string(cvRound(1000 * valid)) + " ms)"};
+                      std::to_string(std::lround(1000 * valid)) + " ms)"};
   }
 }
 

@@ -6,20 +6,12 @@
 #include <opencv2/imgproc.hpp>
 #include <utility>
 
+#include "imaging/filled_outline.hpp"
 #include "matching/decision/conclusion.hpp"
 #include "matching/decision/detection.hpp"
 
 namespace mbncc::incremental_search {
 namespace {
-
-cv::Mat filled(const std::vector<cv::Point2f>& outline, const cv::Rect& box) {
-  std::vector<cv::Point> corners;
-  for (const auto& point : outline)
-    corners.emplace_back(cvRound(point.x) - box.x, cvRound(point.y) - box.y);
-  cv::Mat area = cv::Mat::zeros(box.size(), CV_8UC1);
-  cv::fillPoly(area, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
-  return area;
-}
 
 /// Distance [px] of the reference points, at equivalent poses.
 double distance(const Match& before, const Match& now) {
@@ -77,7 +69,7 @@ double outline_overlap(const std::vector<cv::Point2f>& a, const std::vector<cv::
   const cv::Rect box_a = cv::boundingRect(a), box_b = cv::boundingRect(b);
   if ((box_a & box_b).empty()) return 0;
   const cv::Rect both = box_a | box_b;
-  const cv::Mat area_a = filled(a, both), area_b = filled(b, both);
+  const cv::Mat area_a = imaging::filled(a, both), area_b = imaging::filled(b, both);
   const int smaller = std::min(cv::countNonZero(area_a), cv::countNonZero(area_b));
   return smaller > 0 ? static_cast<double>(cv::countNonZero(area_a & area_b)) / smaller : 0;
 }

@@ -7,6 +7,7 @@
 #include "matching/decision/report.hpp"
 
 namespace mbncc::incremental_search {
+
 void SearchMemory::forget(const std::string& name) {
   pending.forget(name);
   clutter.erase(name);

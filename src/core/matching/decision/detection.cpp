@@ -6,6 +6,7 @@
 #include "matching/decision/equivalent_pose.hpp"
 
 namespace mbncc::decision {
+
 bool at_one_place(const Detection& a, const Detection& b) {
   constexpr double kApart = 0.4;  // [radii] largest distance of one place
   return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius() &&
@@ -29,16 +30,14 @@ std::vector<cv::Point2f> outline_at(const Detection& detection) {
   return outline;
 }
 
-Pose2D object_pose_within(const Detection& detection, const std::optional<cv::Rect>& region) {
-  const Pose2D pose = object_pose(detection);
-  if (!region) return pose;
+Pose2D object_pose_within(const Detection& detection, const cv::Rect& region) {
   return equivalent_within(
-      *region, pose, detection.view->symmetry,
+      region, object_pose(detection), detection.view->symmetry,
       transform(detection.pose, detection.scale * detection.view->symmetry_centre));
 }
 
-bool reference_within(const Detection& detection, const std::optional<cv::Rect>& region) {
-  return !region || contains(*region, object_pose_within(detection, region).position());
+bool reference_within(const Detection& detection, const cv::Rect& region) {
+  return contains(region, object_pose_within(detection, region).position());
 }
 
 std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {

@@ -4,7 +4,6 @@
 
 #include <limits>
 #include <opencv2/core.hpp>
-#include <optional>
 #include <vector>
 
 #include "matching/template/view_frame.hpp"
@@ -70,13 +69,13 @@ Pose2D object_pose(const Detection& detection);
 /// The view's largest outline at the detection. [px]
 std::vector<cv::Point2f> outline_at(const Detection& detection);
 
-/// Pose of the object frame; if its reference point does not lie in `region` [px] (without a value:
+/// Pose of the object frame; if its reference point does not lie in `region` [px] (empty:
 /// everywhere), an equivalent pose of a symmetric object whose reference point does. Of a round
 /// object, the one whose reference point is the nearest to the middle of the region is tried.
-Pose2D object_pose_within(const Detection& detection, const std::optional<cv::Rect>& region);
+Pose2D object_pose_within(const Detection& detection, const cv::Rect& region);
 
 /// Whether the reference point lies in `region`, of a symmetric object at an equivalent pose.
-bool reference_within(const Detection& detection, const std::optional<cv::Rect>& region);
+bool reference_within(const Detection& detection, const cv::Rect& region);
 
 /// Ranks detections at the same place by their rotation_odds: the best one gets the group's largest
 /// log-odds, and the others keep their differences in rotation_odds. Returns best first.

@@ -7,8 +7,8 @@ namespace mbncc::decision {
 
 bool contains(const cv::Rect& region, cv::Point2d point) {
   constexpr double kHalf = 0.5;  // [px] a pixel's area reaches this far beyond its centre
-  return point.x >= region.x - kHalf && point.y >= region.y - kHalf &&
-         point.x < region.br().x - kHalf && point.y < region.br().y - kHalf;
+  return region.empty() || (point.x >= region.x - kHalf && point.y >= region.y - kHalf &&
+                            point.x < region.br().x - kHalf && point.y < region.br().y - kHalf);
 }
 
 Pose2D equivalent_within(const cv::Rect& region, const Pose2D& pose, int symmetry,

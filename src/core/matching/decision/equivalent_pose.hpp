@@ -8,7 +8,7 @@
 
 namespace mbncc::decision {
 
-/// Whether a pixel of `region` contains `point`. [px]
+/// Whether a pixel of `region` contains `point`, or it is empty. [px]
 bool contains(const cv::Rect& region, cv::Point2d point);
 
 /// `pose`, or if it does not lie in `region` [px], an equivalent pose that does, turned about

@@ -3,6 +3,7 @@
 
 #include <opencv2/imgproc.hpp>
 
+#include "imaging/filled_outline.hpp"
 #include "matching/decision/conclusion.hpp"
 
 namespace mbncc::decision {
@@ -15,16 +16,13 @@ double chroma_within(const std::vector<cv::Point2f>& outline, const cv::Mat& ima
   constexpr int kSmoothing = 5;  // [px]
   const cv::Rect box = cv::boundingRect(outline) & cv::Rect({0, 0}, image.size());
   if (box.empty()) return 0;
-  cv::Mat colours, mask = cv::Mat::zeros(box.size(), CV_8UC1);
+  cv::Mat colours;
   cv::blur(image(box), colours, {kSmoothing, kSmoothing});
-  std::vector<cv::Point> corners;
-  for (const auto& point : outline) corners.emplace_back(point - cv::Point2f(box.tl()));
-  cv::fillPoly(mask, std::vector<std::vector<cv::Point>>{corners}, cv::Scalar(255));
   std::vector<cv::Mat> channels;
   cv::split(colours, channels);
   const cv::Mat largest = cv::max(cv::max(channels[0], channels[1]), channels[2]);
   const cv::Mat smallest = cv::min(cv::min(channels[0], channels[1]), channels[2]);
-  return cv::mean(largest - smallest, mask)[0];
+  return cv::mean(largest - smallest, imaging::filled(outline, box))[0];
 }
 
 }  // namespace

@@ -29,7 +29,7 @@ void keep_within(const cv::Rect& roi, std::vector<Match>& matches) {
 
 std::vector<Match> reported(std::vector<Match> matches, const cv::Rect& roi, int most,
                             const SearchConfig& config) {
-  if (!roi.empty()) keep_within(roi, matches);
+  keep_within(roi, matches);
   std::stable_sort(matches.begin(), matches.end(),
                    [](const Match& a, const Match& b) { return a.score > b.score; });
   std::map<std::string, int> count;

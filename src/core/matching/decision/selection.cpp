@@ -100,13 +100,12 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
 }
 
 std::vector<Rival> rivals_of(const std::vector<const Detection*>& reported,
-                             const std::vector<Detection>& detections,
-                             const std::optional<cv::Rect>& within) {
+                             const std::vector<Detection>& detections, const cv::Rect& part) {
   std::vector<Rival> rivals;
   for (const auto& detection : detections) {
     if (std::find(reported.begin(), reported.end(), &detection) != reported.end()) continue;
     rivals.push_back({detection.object->name, object_pose(detection).position(), detection.odds,
-                      outline_at(detection), reference_within(detection, within)});
+                      outline_at(detection), reference_within(detection, part)});
   }
   return rivals;
 }
@@ -128,7 +127,7 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
         return acceptance_score(a, acceptance.config) > acceptance_score(b, acceptance.config);
       });
   const auto is_asked_for = [&](const Detection& one) {
-    return reference_within(one, acceptance.within);
+    return reference_within(one, acceptance.part);
   };
   std::vector<const Detection*> accepted;
   accept(detections, acceptance, acceptance.max_instances, is_asked_for, accepted);
@@ -143,9 +142,9 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   accept(detections, acceptance, std::numeric_limits<int>::max(), is_other_instance, accepted);
   for (const Detection* detection : reported)
     selection.matches.push_back(
-        equivalent_towards(object_pose_within(*detection, acceptance.within).theta,
+        equivalent_towards(object_pose_within(*detection, acceptance.part).theta,
                            to_match(*detection, detections, accepted, acceptance)));
-  selection.rivals = rivals_of(reported, detections, acceptance.within);
+  selection.rivals = rivals_of(reported, detections, acceptance.part);
   return selection;
 }
 

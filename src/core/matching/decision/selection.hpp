@@ -21,8 +21,8 @@ struct AcceptanceSettings {
   std::map<std::string, double> clutter, elsewhere;  ///< see SearchRequest
   std::size_t objects = 1;                           ///< number of objects searched in the image
   /// [px] Only instances whose reference points lie in it are reported; other angles and objects
-  /// outside compete with them. Without a value: all.
-  std::optional<cv::Rect> within = {};
+  /// outside compete with them. Empty: all.
+  cv::Rect part = {};
 };
 
 struct Selection {

@@ -2,7 +2,6 @@
 #include "matching/search/object_search.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/search_budget.hpp"
@@ -36,10 +35,9 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
 /// Number of places in `part` (empty: the whole image) with a likely detection.
 std::size_t likely_places(const std::vector<decision::Detection>& detections,
                           const cv::Rect& part) {
-  const auto within = part.empty() ? std::nullopt : std::make_optional(part);
   std::vector<const decision::Detection*> places;
   for (const auto& one : detections)
-    if (one.log_odds() >= kMinFoundOdds && decision::reference_within(one, within) &&
+    if (one.log_odds() >= kMinFoundOdds && decision::reference_within(one, part) &&
         std::none_of(places.begin(), places.end(), [&](const decision::Detection* other) {
           return decision::at_one_place(one, *other);
         }))
