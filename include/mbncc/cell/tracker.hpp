@@ -17,7 +17,7 @@ struct TrackerConfig {
   int confirm_frames = 3;   ///< graspable images needed ...
   int confirm_window = 5;   ///< ... among this many of the last ones
   double hold_time = 0;     ///< [s] for which a lost instance is published as HELD; 0: never
-  double max_age = 0.5;     ///< [s] that a pose stays valid
+  double max_age = 0.5;     ///< [s] that a pose stays valid, at most
   double reuse_after = 10;  ///< [s] for which a lost instance's frame index is not reused
 };
 
