@@ -68,7 +68,7 @@ TEST_F(DecisionTest, ACertainMatchIsGraspable) {
 
 TEST_F(DecisionTest, AMatchWithACompetitorIsAmbiguous) {
   const std::vector<std::function<void(decision::Detection&)>> doubts{
-      [](decision::Detection& d) { d.colour_difference = 0.25; },
+      [](decision::Detection& d) { d.colour_difference = 0.26; },
       [](decision::Detection& d) { d.size_alternative = true; },
       [](decision::Detection& d) { d.mirror_alternative = true; }};
   for (std::size_t i = 0; i < doubts.size(); ++i) {
@@ -77,7 +77,7 @@ TEST_F(DecisionTest, AMatchWithACompetitorIsAmbiguous) {
     EXPECT_TRUE(match.ambiguous) << i;
   }
   EXPECT_TRUE(
-      match_of(changed([](decision::Detection& d) { d.colour_difference = 0.19; })).graspable);
+      match_of(changed([](decision::Detection& d) { d.colour_difference = 0.24; })).graspable);
 }
 
 TEST_F(DecisionTest, AnUncertainPoseIsNotGrasped) {

@@ -68,7 +68,7 @@ TEST_F(ConclusionTest, AnUndecidedAngleIsNamed) {
 }
 
 TEST_F(ConclusionTest, AnotherColourIsNamed) {
-  detection_.colour_difference = 0.21;
+  detection_.colour_difference = 0.26;
   expect_refused("colour of a part differs", true);
 }
 
