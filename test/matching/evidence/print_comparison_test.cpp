@@ -74,13 +74,13 @@ class PrintTest : public test::MatcherTest {
 
 TEST_F(PrintTest, TheSamePrintDiffersLittle) {
   const cv::Mat scene = scene_with(tile(kTaught));
-  EXPECT_LT(difference(scene), 0.3);
-  EXPECT_LT(difference(scene * 0.4), 0.3) << "in less light";
+  EXPECT_LT(difference(scene), 0.15);
+  EXPECT_LT(difference(scene * 0.4), 0.15) << "in less light";
   cv::Mat noise(scene.size(), CV_16SC3), noisy;
   cv::RNG random(5);
   random.fill(noise, cv::RNG::NORMAL, 0, 6);
   cv::add(scene, noise, noisy, {}, CV_8U);
-  EXPECT_LT(difference(noisy), 0.3);
+  EXPECT_LT(difference(noisy), 0.15);
 }
 
 // Each variant has one dot more or less, out of one to nine.
@@ -116,7 +116,7 @@ TEST_F(PrintTest, DotsOnASaturatedPartAreCompared) {
       return print_at(view, scene, pose).largest;
     };
     EXPECT_GT(difference_to(more), 0.9) << darker;
-    EXPECT_LT(difference_to(kTaught), 0.3) << darker;
+    EXPECT_LT(difference_to(kTaught), 0.15) << darker;
   }
 }
 
@@ -126,7 +126,7 @@ TEST_F(PrintTest, ADotMissesOnASaturatedTile) {
   more.emplace_back(58, 60);
   const cv::Mat scene = scene_with(tile(kTaught)) * 1.3;
   EXPECT_GT(difference(scene, more), 0.9);
-  EXPECT_LT(difference(scene, kTaught), 0.3);
+  EXPECT_LT(difference(scene, kTaught), 0.15);
 }
 
 TEST_F(PrintTest, PlainObjectsDoNotDiffer) {
@@ -138,7 +138,7 @@ TEST_F(PrintTest, AnotherSizeIsComparedAtThatSize) {
   const cv::Mat about =
       (cv::Mat_<double>(2, 3) << 1.25, 0, -0.25 * truth_.x, 0, 1.25, -0.25 * truth_.y);
   cv::warpAffine(scene_with(tile(kTaught)), larger, about, {320, 240});
-  EXPECT_LT(difference(larger, kTaught, 1.25), 0.3);
+  EXPECT_LT(difference(larger, kTaught, 1.25), 0.15);
   Dots four = kTaught;
   four.emplace_back(58, 60);
   EXPECT_GT(difference(larger, four, 1.25), 1.3);
@@ -148,7 +148,7 @@ TEST_F(PrintTest, AThingAcrossTheContourIsNoPrint) {
   cv::Mat scene = scene_with(tile(kTaught));
   cv::line(scene, {212, 77}, {126, 160}, {30, 60, 140}, 5, cv::LINE_AA);
   EXPECT_GT(differences(scene).largest, 1.3);
-  EXPECT_LT(differences(scene).enclosed, 0.3);
+  EXPECT_LT(differences(scene).enclosed, 0.15);
   Dots four = kTaught;
   four.emplace_back(58, 60);
   EXPECT_GT(differences(scene_with(tile(four))).enclosed, 1.3) << "a dot more";
@@ -160,14 +160,14 @@ TEST_F(PrintTest, ADotUnderACoverIsNoPrint) {
   cv::Mat scene = scene_with(tile(corner));
   const cv::Point2d at = transform(truth_, cv::Point2d(34, 56) - cv::Point2d(60, 60));
   cv::circle(scene, at, 24, {60, 110, 190}, cv::FILLED, cv::LINE_AA);
-  EXPECT_LT(differences(scene, corner).largest, 0.3);
+  EXPECT_LT(differences(scene, corner).largest, 0.15);
   EXPECT_GT(differences(scene_with(tile({corner[1]})), corner).enclosed, 0.8) << "not covered";
 }
 
 TEST_F(PrintTest, BeyondTheImageNothingDiffers) {
   const cv::Mat scene = scene_with(tile(kTaught));
   const auto right = static_cast<int>(truth_.x);
-  EXPECT_LT(difference(scene.colRange(0, right).clone()), 0.3) << "half of it";
+  EXPECT_LT(difference(scene.colRange(0, right).clone()), 0.15) << "half of it";
   cv::Mat far(scene.size(), scene.type(), cv::Scalar::all(90));
   EXPECT_EQ(difference(far.colRange(0, 60).clone()), 0) << "none of it";
 }
