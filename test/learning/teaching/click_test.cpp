@@ -132,28 +132,6 @@ TEST(Click, SelectsOneOfTwoRemovedNeighbours) {
   EXPECT_GT(iou(map_of(learn_object(drawn.lesson)), drawn.truth), 0.9);
 }
 
-// A pale stone, hardly lighter than the board, left together with dark stones.
-TEST(Click, SelectsAPaleNeighbourOfRemovedDarkOnes) {
-  cv::Mat board(240, 320, CV_32FC3, cv::Scalar(170, 205, 215));
-  cv::Mat scene = board.clone(), stone = cv::Mat::zeros(board.size(), CV_8UC1);
-  const auto lay = [&](cv::Point at, const cv::Scalar& colour) {
-    cv::circle(scene, at, 14, colour, cv::FILLED);
-  };
-  cv::circle(stone, {150, 70}, 14, cv::Scalar(255), cv::FILLED);
-  lay({150, 70}, {198, 216, 218});
-  lay({150, 101}, {35, 35, 38});
-  lay({181, 101}, {198, 216, 218});
-  lay({181, 132}, {35, 35, 38});
-  Lesson lesson;
-  lesson.name = "stone";
-  lesson.before = test::exposed(scene, 11);
-  lesson.after = test::exposed(board, 12);
-  lesson.click = cv::Point2d(150, 70);
-  const LearnResult result = learn_object(lesson);
-  ASSERT_TRUE(result.has_model) << result.message;
-  EXPECT_GT(iou(map_of(result), stone), 0.8);
-}
-
 // A nut in the corner of a bracket left as well. A stroke must not bring it back.
 TEST(Click, AStrokeDoesNotAddAnExcludedNeighbour) {
   const cv::Size size(340, 240);

@@ -76,7 +76,7 @@ TEST_F(ConclusionTest, AnotherPrintIsNamed) {
   detection_.print_difference = 0.16;
   expect_refused("print inside the outline differs", true);
   detection_.print_difference = 0;
-  detection_.edge_difference = 1.01;
+  detection_.edge_difference = 1.21;
   expect_refused("print inside the outline differs", true);
   detection_.edge_difference = 0;
   detection_.detail_difference = 1.51;

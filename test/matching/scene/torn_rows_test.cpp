@@ -74,21 +74,6 @@ TEST(TornRows, FlatLinesAreNoTear) {
   EXPECT_FALSE(has_torn_rows(image, kBox));
 }
 
-/// A slanted bar, smoothed along the columns above and below a row, as compression in blocks does.
-TEST(TornRows, ASlantedEdgeGatheredInOneRowIsNoTear) {
-  constexpr int kSeam = 115;
-  cv::Mat image(kSize, CV_8UC1, cv::Scalar(200));
-  for (const int slope : {2, 3, -3}) {
-    const auto at = [&](int y) { return cv::Point(170 + slope * (y - kSeam), y); };
-    image.setTo(200);
-    cv::line(image, at(90), at(140), cv::Scalar(40), 20, cv::LINE_AA);
-    for (cv::Mat half : {image.rowRange(0, kSeam), image.rowRange(kSeam, kSize.height)})
-      cv::blur(half, half, {1, 5}, {-1, -1}, cv::BORDER_REPLICATE | cv::BORDER_ISOLATED);
-    EXPECT_FALSE(has_torn_rows(image, kBox)) << slope;
-    EXPECT_TRUE(has_torn_rows(torn(image, 105, 12), kBox)) << slope;
-  }
-}
-
 TEST(TornRows, ACheckeredPlatformIsNoTear) {
   for (const int side : {6, 10, 14}) {
     cv::Mat image(kSize, CV_8UC1);

@@ -33,8 +33,8 @@ bool is_mostly_platform(const Segmentation& found, const SegmentationTask& task)
          change::platform_likeness(task.before, task.after, found.map) > kAlike;
 }
 
-double clarity(const Segmentation& found) {
-  return found.evidence ? segmentation::edge_clarity(*found.evidence) : 1;
+bool has_clear_edge(const Segmentation& found) {
+  return !found.evidence || segmentation::edge_clarity(*found.evidence) >= kClear;
 }
 
 // A map that the user painted.
@@ -202,33 +202,25 @@ Segmentation MapCutter::segment_clicked_change(Growth growth) {
 Segmentation MapCutter::find_clicked(Growth growth) {
   try {
     const Segmentation found = clicked(segment_region(growth));
-    return is_mostly_platform(found, task_) ? segment_square(kClear).value_or(found) : found;
+    return is_mostly_platform(found, task_) ? segment_square().value_or(found) : found;
   } catch (const LessonEnded& ended) {
     if (ended.error() == LearnError::kCancelled) throw;
-    if (const auto found = segment_square(0)) return *found;
+    if (const auto found = segment_square()) return *found;
     throw;
   }
 }
 
-// Segments in the largest square around the click in which the map has a clear edge, otherwise in
-// the one in which it has the clearest, at least `least`.
-std::optional<Segmentation> MapCutter::segment_square(double least) {
+// Segments in the largest square around the click in which the map has a clear edge.
+std::optional<Segmentation> MapCutter::segment_square() {
   const SegmentationTask first = task_;
   const double largest = std::max(first.region.width, first.region.height);
-  std::optional<Segmentation> clearest;
-  cv::Rect place = first.region;
   for (const cv::Rect& square : squares_about(*lesson_.click, largest, usable_region(lesson_))) {
     task_.region = square;
     const auto found = if_possible([&] { return clicked(segment_once()); });
-    if (!found || clarity(*found) < least) continue;
-    least = clarity(*found);
-    clearest = found;
-    place = task_.region;
-    if (least >= kClear) break;
+    if (found && has_clear_edge(*found)) return found;
   }
   task_ = first;
-  task_.region = place;
-  return clearest;
+  return std::nullopt;
 }
 
 // A click selects one connected object: neighbours that were also removed are excluded by a

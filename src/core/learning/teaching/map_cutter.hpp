@@ -62,7 +62,7 @@ class MapCutter {
   Segmentation segment_clicked(Growth growth);
   Segmentation segment_clicked_change(Growth growth);
   Segmentation find_clicked(Growth growth);
-  std::optional<Segmentation> segment_square(double least);
+  std::optional<Segmentation> segment_square();
   Segmentation segment_clicked_piece();
   Segmentation clicked(const Segmentation& found);
   Segmentation with_clicked_hole(const Segmentation& found);

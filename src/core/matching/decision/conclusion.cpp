@@ -13,7 +13,7 @@ namespace {
 
 constexpr double kForeignColour = 0.25;  // largest chroma difference of a part
 constexpr double kOtherPrint = 0.15;     // largest PrintDifference
-constexpr double kOtherEdges = 1;        // largest InteriorEdges::difference()
+constexpr double kOtherEdges = 1.2;      // largest InteriorEdges::difference()
 constexpr double kOtherDetail = 1.5;     // largest PrintComparison::difference_in_detail()
 constexpr double kMissing = 0.2;         // largest MissingContrast
 constexpr double kContradicts = 0.05;    // [agreement] largest advantage of a nearby place

@@ -17,7 +17,7 @@ constexpr double kWorse = 0.2;  // difference in agreement that these steps cann
 constexpr double kSame = 3;     // [px] closer poses are duplicates
 // [agreement] least deficit of a different outline in the lesson
 constexpr double kMinDeficit = 0.006;
-constexpr double kLeastLimit = 0.01;  // [agreement] lower bound of limit()
+constexpr double kLeastLimit = 0.005;  // [agreement] lower bound of limit()
 
 templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
   for (std::size_t i = 0; i < contour.size(); ++i) {

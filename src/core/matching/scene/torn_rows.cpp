@@ -2,7 +2,7 @@
 #include "matching/scene/torn_rows.hpp"
 
 #include <algorithm>
-#include <cstdlib>
+#include <limits>
 #include <vector>
 
 namespace mbncc::scene {
@@ -13,46 +13,24 @@ constexpr int kLargest = 14;          // [px] largest displacement
 constexpr double kPeak = 2;           // least ratio of a peak to the differences beside it
 constexpr double kUnexplained = 0.6;  // largest part of a peak left by a displacement
 
-/// [grey^2] Mean square difference between `columns` of a row and those of the row `apart` rows
-/// below, shifted by `way` [px], plus that of rounding.
-double difference(const cv::Mat& grey, int row, int apart, cv::Range columns, int way) {
+/// [grey^2] Mean square difference between `columns` of a row and those of the row below, shifted
+/// by `way` [px], plus that of rounding.
+double difference(const cv::Mat& grey, int row, cv::Range columns, int way) {
   constexpr double kRounding = 1;
   const int from = std::max(columns.start, -way), to = std::min(columns.end, grey.cols - way);
   const uchar* upper = grey.ptr(row);
-  const uchar* lower = grey.ptr(row + apart) + way;
+  const uchar* lower = grey.ptr(row + 1) + way;
   int squares = 0;
   for (int x = from; x < to; ++x) squares += (lower[x] - upper[x]) * (lower[x] - upper[x]);
   return kRounding + static_cast<double>(squares) / std::max(1, to - from);
 }
 
-/// The displacement [px] by `nearest` to `farthest` px that explains most of the difference between
-/// two rows; 0 if none explains enough.
-int displacement(const cv::Mat& grey, int row, int apart, cv::Range columns, int nearest,
-                 int farthest) {
-  double least = kUnexplained * difference(grey, row, apart, columns, 0);
-  int best = 0;
-  for (int way = nearest; way <= farthest; ++way)
-    for (const int signed_way : {-way, way}) {
-      const double left = difference(grey, row, apart, columns, signed_way);
-      if (left >= least) continue;
-      least = left;
-      best = signed_way;
-    }
-  return best;
-}
-
-/// Whether the rows above `row` or below the next one are displaced in the same direction and at
-/// least as far within kApart rows: a slanted edge, whose displacement a compressed image gathers
-/// in one row.
-bool is_slanted(const cv::Mat& grey, int row, cv::Range columns, int way) {
-  constexpr int kApart = 3;
-  for (const int from : {row - kApart, row + 1}) {
-    if (from < 0 || from + kApart >= grey.rows) continue;
-    const int farthest = std::min(2 * kLargest, columns.size() / 2);
-    const int slant = displacement(grey, from, kApart, columns, 1, farthest);
-    if (slant * way > 0 && std::abs(slant) >= std::abs(way)) return true;
-  }
-  return false;
+double least_displaced(const cv::Mat& grey, int row, cv::Range columns) {
+  double least = std::numeric_limits<double>::infinity();
+  for (int way = kSmallest; way <= kLargest; ++way)
+    for (const int signed_way : {-way, way})
+      least = std::min(least, difference(grey, row, columns, signed_way));
+  return least;
 }
 
 }  // namespace
@@ -68,14 +46,13 @@ bool has_torn_rows(const cv::Mat& grey, const cv::Rect& box) {
   const cv::Range columns(around.x, around.x + around.width);
   std::vector<double> differences;
   for (int row = around.y; row + 1 < around.y + around.height; ++row)
-    differences.push_back(difference(grey, row, 1, columns, 0));
+    differences.push_back(difference(grey, row, columns, 0));
   int displaced = 0;
   for (std::size_t i = 1; i + 1 < differences.size(); ++i) {
     const double peak = differences[i];
     if (!(peak > kPeak * std::max(differences[i - 1], differences[i + 1]))) continue;
-    const int row = around.y + static_cast<int>(i);
-    const int way = displacement(grey, row, 1, columns, kSmallest, kLargest);
-    if (way != 0 && !is_slanted(grey, row, columns, way)) ++displaced;
+    if (least_displaced(grey, around.y + static_cast<int>(i), columns) < kUnexplained * peak)
+      ++displaced;
   }
   return displaced == 1;  // several rows: the platform is chequered or made of bricks
 }
