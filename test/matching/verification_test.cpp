@@ -66,7 +66,8 @@ TEST_F(VerificationTest, TheTrueObjectHasNoDoubts) {
   EXPECT_LT(found.contour_alternative, -0.1);
   EXPECT_DOUBLE_EQ(
       found.contour_alternative,
-      evidence::advantage_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.scale));
+      evidence::alternative_elsewhere(view_.fine.contour, scene.levels[0], found.pose, found.scale)
+          .advantage);
   const refinement::Refined refined =
       refinement::refine(view_.dense, scene.levels[0], anchor_at(truth_), 4);
   EXPECT_EQ(found.covariance, refined.covariance);
@@ -154,13 +155,18 @@ TEST_F(VerificationTest, ARoundObjectHasNoMirrorImage) {
   EXPECT_DOUBLE_EQ(found.odds.mirror, 0);
 }
 
-// The only difference between the plate and its mirror image is the missing tip of one corner.
-TEST_F(VerificationTest, ASlightlyDifferentMirrorImageIsDetected) {
+/// A plate that differs from its mirror image only by the missing tip [px] of one corner.
+test::LearningImage plate_without_tip(int tip) {
   cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
   map(cv::Rect(10, 25, 100, 70)) = 255;
-  cv::fillPoly(map, std::vector<std::vector<cv::Point>>{{{110, 25}, {105, 25}, {110, 30}}},
+  cv::fillPoly(map,
+               std::vector<std::vector<cv::Point>>{{{110, 25}, {110 - tip, 25}, {110, 25 + tip}}},
                cv::Scalar(0));
-  const test::LearningImage plate(3, map);
+  return test::LearningImage(3, map);
+}
+
+TEST_F(VerificationTest, ASlightlyDifferentMirrorImageIsDetected) {
+  const test::LearningImage plate = plate_without_tip(5);
   const test::LearningImage mirrored = test::mirrored(plate);
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);
@@ -172,6 +178,86 @@ TEST_F(VerificationTest, ASlightlyDifferentMirrorImageIsDetected) {
     found.odds = 12;
     EXPECT_EQ(search::verify(object, view, scene, {found}).at(0).mirror_alternative, over);
   }
+}
+
+// The plate shows its own print within the mirrored outline.
+TEST_F(VerificationTest, ASurfaceThatContradictsTheMirrorImageDecides) {
+  const test::LearningImage plate = plate_without_tip(24);
+  test::LearningImage seen = plate;
+  seen.map = test::mirrored(plate).map;
+  const prepared::PreparedObject object(test::object_from(plate, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  const scene::SceneImage scene(scene_with(seen, truth_), object.top_level());
+  search::PoseHypothesis found =
+      search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
+  found.odds = 12;
+  const decision::Detection judged = search::verify(object, view, scene, {found}).at(0);
+  EXPECT_GT(view.mirrored_contour
+                .alternative(view.fine.contour, scene.levels[0], judged.pose, judged.scale)
+                .advantage,
+            view.mirrored_contour.limit());
+  EXPECT_FALSE(judged.mirror_alternative);
+}
+
+/// A tile of low contrast. `print`: with a dark frame near its edge and dots.
+test::LearningImage pale_tile(bool print) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(25, 25, 70, 70)) = 255;
+  test::LearningImage tile(3, map);
+  tile.surface.setTo(cv::Scalar::all(150));
+  if (print) {
+    cv::rectangle(tile.surface, cv::Rect(31, 31, 58, 58), cv::Scalar::all(90), 2);
+    for (const cv::Point dot : {cv::Point(45, 45), {70, 50}, {50, 72}})
+      cv::circle(tile.surface, dot, 6, cv::Scalar(40, 40, 160), cv::FILLED);
+  }
+  tile.image.setTo(cv::Scalar::all(128));
+  tile.surface.copyTo(tile.image, map);
+  return tile;
+}
+
+// Lines beside the tile, one of them on the plain tile itself, fit its outline better a few pixels
+// further. Only a print tells that the tile has not moved there.
+TEST_F(VerificationTest, ASurfaceThatContradictsANearbyPlaceDecides) {
+  for (const bool print : {false, true}) {
+    const test::LearningImage tile = pale_tile(print);
+    const prepared::PreparedObject object(test::object_from(tile, {60, 60, 0}),
+                                          prepared::Engine::kFast);
+    const prepared::PreparedView& view = object.views.front();
+    cv::Mat image(240, 320, CV_8UC3, cv::Scalar::all(140));
+    tile.surface.copyTo(image(cv::Rect(100, 60, 120, 120)), tile.map);
+    image(cv::Rect(114, 85, 5, 70)).setTo(cv::Scalar::all(40));
+    image(cv::Rect(189, 85, 5, 70)).setTo(cv::Scalar::all(40));
+    const scene::SceneImage scene(image, object.top_level());
+    search::PoseHypothesis found =
+        search::score_as_is(view, scene, compose({160, 120, 0}, inverse(view.reference_in_anchor)));
+    found.odds = 12;
+    const decision::Detection judged = search::verify(object, view, scene, {found}).at(0);
+    EXPECT_GT(evidence::alternative_elsewhere(view.fine.contour, scene.levels[0], judged.pose,
+                                              judged.scale)
+                  .advantage,
+              0.05);
+    if (print)
+      EXPECT_EQ(judged.contour_alternative, 0);
+    else
+      EXPECT_GT(judged.contour_alternative, 0.05);
+  }
+}
+
+TEST_F(VerificationTest, AMirroredTemplateFitsTheMirroredImageAsWell) {
+  const cv::Mat image = scene_with(source_, truth_);
+  cv::Mat flipped;
+  cv::flip(image, flipped, 1);
+  const Pose2D here = anchor_at(truth_);
+  const Pose2D there{image.cols - 1 - here.x, here.y, -here.theta};
+  templates::PoseTemplate mirrored = view_.fine;
+  mirrored.mirror();
+  const auto own = evidence::gather_evidence(view_.fine, scene::SceneLevel(image, 0), here);
+  const auto other = evidence::gather_evidence(mirrored, scene::SceneLevel(flipped, 0), there);
+  EXPECT_NEAR(other.contour_score, own.contour_score, 0.02);
+  EXPECT_NEAR(other.gradient, own.gradient, 0.01);
+  EXPECT_NEAR(other.trimmed_residual, own.trimmed_residual, 0.01);
+  EXPECT_NEAR(other.shading_free_ncc, own.shading_free_ncc, 0.01);
 }
 
 // The lamp's highlight is at another place on the object than in the lesson.
@@ -216,7 +302,7 @@ TEST_F(VerificationTest, APartOfAnotherColourIsDetected) {
     hypothesis.odds = 12;
     return search::verify(object, view, scene, {hypothesis}).at(0).print_difference;
   };
-  EXPECT_LT(difference_in(chequered), 0.1);
+  EXPECT_LT(difference_in(chequered), 0.05);
   test::LearningImage tinted = chequered;
   cv::Mat part = tinted.surface(cv::Rect(35, 25, 24, 30));
   cv::multiply(part, cv::Scalar(0.4, 1, 0.4), part);

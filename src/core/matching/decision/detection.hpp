@@ -15,7 +15,7 @@ namespace mbncc::decision {
 
 /// Detection::contour_alternative of a detection whose outline was not tested at other places,
 /// because its score is low or it is not the best at its place. Larger than any
-/// advantage_elsewhere().
+/// alternative_elsewhere().
 constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
@@ -42,7 +42,9 @@ struct Detection {
   double continued = 0;  ///< see MissingContrast; of the best pose at its place
   double absent = 0;     ///< the same; only the best pose at a place is examined
   bool torn = false;     ///< the same: rows or parts of its outline are displaced
-  double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
+  double contour_alternative = kNotExamined;  ///< of the object at a nearby place, see
+                                              ///< ContourAlternative::advantage; 0 if its
+                                              ///< surface contradicts it
   double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()
   std::size_t number = 0;    ///< index among the poses verified together
 

@@ -100,8 +100,9 @@ double advantage_of_displaced_end(const templates::ContourTemplate& contour,
   return best;
 }
 
-double advantage_elsewhere(const templates::ContourTemplate& contour,
-                           const scene::SceneLevel& scene, const Pose2D& pose, double scale) {
+ContourAlternative alternative_elsewhere(const templates::ContourTemplate& contour,
+                                         const scene::SceneLevel& scene, const Pose2D& pose,
+                                         double scale) {
   constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
   constexpr double kStep = 2;         // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;        // steps along x and y
@@ -113,7 +114,7 @@ double advantage_elsewhere(const templates::ContourTemplate& contour,
     return std::hypot(other.x - pose.x, other.y - pose.y) >= kNearest;
   };
   const double here = agreement.at(pose);
-  double best = -1;
+  AlignedContourPose best{pose, -1};
   for (int i = -kFarthest; i <= kFarthest; ++i)
     for (int j = -kFarthest; j <= kFarthest; ++j) {
       const Pose2D start{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
@@ -121,9 +122,9 @@ double advantage_elsewhere(const templates::ContourTemplate& contour,
       AlignedContourPose there{start, agreement.at(start)};
       if (there.agreement > here - kWorse)
         there = agreement.aligned(start, kAlignmentSteps, elsewhere);
-      best = std::max(best, there.agreement);
+      if (there.agreement > best.agreement) best = there;
     }
-  return best - here;
+  return {best.pose, best.agreement - here};
 }
 
 }  // namespace mbncc::evidence

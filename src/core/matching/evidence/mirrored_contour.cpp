@@ -20,10 +20,7 @@ constexpr double kMinDeficit = 0.006;
 constexpr double kLeastLimit = 0.005;  // [agreement] lower bound of limit()
 
 templates::ContourTemplate mirrored(templates::ContourTemplate contour) {
-  for (std::size_t i = 0; i < contour.size(); ++i) {
-    contour.x[i] = -contour.x[i];
-    contour.normal_x[i] = -contour.normal_x[i];
-  }
+  contour.mirror();
   return contour;
 }
 
@@ -50,29 +47,29 @@ std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
 MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
                                  const scene::SceneLevel& lesson, const Pose2D& home)
     : mirrored_(mirrored(contour)), poses_(best_overlays(mirrored_, contour)) {
-  const double surplus = advantage(contour, lesson, home, 1);
+  const double surplus = alternative(contour, lesson, home, 1).advantage;
   usual_ = std::max(0.0, surplus);
   if (surplus < -kMinDeficit) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
 }
 
-double MirroredContour::advantage(const templates::ContourTemplate& contour,
-                                  const scene::SceneLevel& scene, const Pose2D& pose,
-                                  double scale) const {
+ContourAlternative MirroredContour::alternative(const templates::ContourTemplate& contour,
+                                                const scene::SceneLevel& scene, const Pose2D& pose,
+                                                double scale) const {
   constexpr double kSlack = 10;  // [px] more than the reach of alignment and edge search
   const auto around = [&](const Pose2D& place) {
     return scene.around(place, scale * contour.radius() + kSlack);
   };
   const double own =
       ContourAlignment(contour, around(pose), scale).aligned(pose, kOwnAlignmentSteps).agreement;
-  double most = -1;
-  for (const auto& there : poses_) {
-    const Pose2D start = compose(pose, {scale * there.x, scale * there.y, there.theta});
+  AlignedContourPose best{pose, -1};
+  for (const auto& one : poses_) {
+    const Pose2D start = compose(pose, {scale * one.x, scale * one.y, one.theta});
     ContourAlignment over(mirrored_, around(start), scale);
-    const double agreement = over.at(start);
-    most = std::max(most, agreement > own - kWorse ? over.aligned(start, kAlignmentSteps).agreement
-                                                   : agreement);
+    AlignedContourPose there{start, over.at(start)};
+    if (there.agreement > own - kWorse) there = over.aligned(start, kAlignmentSteps);
+    if (there.agreement > best.agreement) best = there;
   }
-  return most - own - usual_;
+  return {best.pose, best.agreement - own - usual_};
 }
 
 }  // namespace mbncc::evidence

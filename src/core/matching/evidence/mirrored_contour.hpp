@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "matching/evidence/contour_alignment.hpp"
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
@@ -20,13 +21,15 @@ class MirroredContour {
   MirroredContour(const templates::ContourTemplate& contour, const scene::SceneLevel& lesson,
                   const Pose2D& home);
 
-  /// [-2..2] Advantage in agreement of the mirrored outline, `scale` times as large, over `contour`
-  /// at `pose`, minus that in the lesson, because an outline can be its own mirror image.
-  double advantage(const templates::ContourTemplate& contour, const scene::SceneLevel& scene,
-                   const Pose2D& pose, double scale) const;
+  /// Best pose of the mirrored outline, `scale` times as large, and its advantage over `contour` at
+  /// `pose`, minus that in the lesson, because an outline can be its own mirror image.
+  ContourAlternative alternative(const templates::ContourTemplate& contour,
+                                 const scene::SceneLevel& scene, const Pose2D& pose,
+                                 double scale) const;
 
-  /// [agreement] If advantage() exceeds it, the object lies on its other side. Half of the mirrored
-  /// outline's deficit in the lesson, at most kMirrored; kMirrored if the deficit is small.
+  /// [agreement] If the advantage exceeds it, the object lies on its other side. Half of the
+  /// mirrored outline's deficit in the lesson, at most kMirrored; kMirrored if the deficit is
+  /// small.
   double limit() const { return limit_; }
 
  private:

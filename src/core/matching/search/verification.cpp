@@ -86,14 +86,49 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
   return best;
 }
 
-/// Advantage in agreement of the mirrored outline at a pose. If it is large, the object lies on its
-/// other side, or its mirror image lies there. None for a round object, whose outline is its own
-/// mirror image.
+/// Advantage of an alternative whose outline fits better than the object's at a pose; 0 if the
+/// surface contradicts it, so that its log-odds are not comparable. `alternative` makes its
+/// template of the object's.
+template <class Alternative>
+double advantage_with_surface(const prepared::PreparedView& view, const scene::SceneLevel& scene,
+                              const Pose2D& pose, double scale,
+                              const evidence::ContourAlternative& found,
+                              const Alternative& alternative) {
+  if (!(found.advantage > 0)) return found.advantage;
+  const auto odds = [&](const templates::PoseTemplate& object, const Pose2D& at) {
+    return evidence::log_odds(evidence::gather_evidence(object, scene, at, scale),
+                              view.shape.area());
+  };
+  const bool contradicted =
+      odds(view.fine, pose) - odds(alternative(view.fine), found.pose) > decision::kComparable;
+  return contradicted ? 0 : found.advantage;
+}
+
+/// Advantage of the mirrored object at a pose. If it is large, the object lies on its other side,
+/// or its mirror image lies there. None for a round object, whose outline is its own mirror image.
 double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
                         const refinement::Refined& place) {
   if (view.symmetry == 0) return 0;
-  return view.mirrored_contour.advantage(view.fine.contour, scene.levels[0], place.pose,
-                                         place.scale);
+  const auto mirrored = [](templates::PoseTemplate object) {
+    object.mirror();
+    return object;
+  };
+  const scene::SceneLevel& level = scene.levels[0];
+  return advantage_with_surface(
+      view, level, place.pose, place.scale,
+      view.mirrored_contour.alternative(view.fine.contour, level, place.pose, place.scale),
+      mirrored);
+}
+
+/// Advantage of the object at a nearby place.
+double nearby_advantage(const prepared::PreparedView& view, const scene::SceneLevel& scene,
+                        const Pose2D& pose, double scale) {
+  const auto same = [](const templates::PoseTemplate& object) -> const templates::PoseTemplate& {
+    return object;
+  };
+  return advantage_with_surface(
+      view, scene, pose, scale,
+      evidence::alternative_elsewhere(view.fine.contour, scene, pose, scale), same);
 }
 
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
@@ -283,7 +318,7 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
       view.outline_contrast.missing(level, view.fine, sample, pose, scale);
   detection.continued = missing.continued;
   detection.absent = missing.absent;
-  detection.contour_alternative = evidence::advantage_elsewhere(contour, level, pose, scale);
+  detection.contour_alternative = nearby_advantage(view, level, pose, scale);
   detection.size_alternative |=
       evidence::advantage_of_displaced_end(contour, level, pose, scale) > evidence::kOtherLength;
   detection.torn = is_torn(contour, scene, detection);

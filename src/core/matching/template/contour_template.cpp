@@ -55,6 +55,11 @@ void ContourTemplate::resize(double factor) {
   radius_ *= factor;
 }
 
+void ContourTemplate::mirror() {
+  for (auto* values : {&x, &normal_x})
+    for (auto& value : *values) value = -value;
+}
+
 void read_contour(const ContourTemplate& contour, const cv::Mat& edges, const Pose2D& pose,
                   int reach, ContourSample& sample, double scale) {
   const std::size_t lanes = contour.x.size();

@@ -21,6 +21,10 @@ struct ContourTemplate {
   /// Scales the points: the same contour `factor` times as large.
   void resize(double factor);
 
+  /// Mirrors the points and normals at the y axis, to read the mirrored contour; `motion` and
+  /// `products` remain those of the contour.
+  void mirror();
+
   /// The map's edge, with normals smoothed like the pixels of a level.
   static std::vector<EdgePoint> edge_of(const MapGeometry& map, int level);
 

@@ -16,6 +16,12 @@ struct PoseTemplate {
 
   /// [px at level] Largest distance of a point from the anchor.
   double reach() const { return std::max(surface.radius(), contour.radius()); }
+
+  /// Mirrors surface and contour at the y axis; see their own mirror().
+  void mirror() {
+    surface.mirror();
+    contour.mirror();
+  }
 };
 
 struct PoseSample {

@@ -46,6 +46,13 @@ void SurfaceTemplate::resize(double factor) {
   radius_ *= factor;
 }
 
+void SurfaceTemplate::mirror() {
+  // A gradient is stored with twice its angle, so that mirroring changes the sign of its y
+  // component.
+  for (auto* values : {&x, &gradient_y})
+    for (auto& value : *values) value = -value;
+}
+
 void SurfaceTemplate::read_colours(const scene::PreparedPixels& image) {
   const imaging::ColourSampler colour_at(image.colour);
   const auto right = static_cast<float>(image.size().width) - 1.02f;

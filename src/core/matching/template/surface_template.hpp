@@ -50,6 +50,10 @@ class SurfaceTemplate {
   /// Scales the points: the same surface `factor` times as large.
   void resize(double factor);
 
+  /// Mirrors the points and gradients at the y axis, to compare the mirrored surface; `slopes`
+  /// remain those of the surface.
+  void mirror();
+
   /// Derivatives of the colours with respect to x, y and theta at the points, per channel.
   static constexpr int kMotions = 3;
   using Slopes = std::array<std::array<std::vector<float>, kMotions>, kChannels>;
