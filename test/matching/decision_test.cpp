@@ -287,6 +287,53 @@ TEST_F(DecisionTest, TheBetterOfTwoAtOnePlaceStays) {
   EXPECT_NEAR(selected.matches[0].pose.x, match_of(shifted).pose.x, 1e-9);
 }
 
+TEST_F(DecisionTest, APoseBesideWidensTheCovariance) {
+  for (const double margin : {0., 3.}) {
+    const decision::Detection beside = changed([&](decision::Detection& d) {
+      d.pose.x += 2.4;
+      d.pose.y += 3.2;
+      d.odds.best_at_place -= margin;
+    });
+    const Match match = select({sound(), beside}).matches.at(0);
+    const double weight = 1 / (1 + std::exp(margin));
+    const double variance = weight * (1 - weight);
+    EXPECT_NEAR(match.covariance(0, 0), 0.01 + variance * 2.4 * 2.4, 1e-4);
+    EXPECT_NEAR(match.covariance(0, 1), variance * 2.4 * 3.2, 1e-4);
+    EXPECT_NEAR(match.covariance(1, 1), 0.01 + variance * 3.2 * 3.2, 1e-4);
+    EXPECT_NEAR(match.margin_place, decision::kNoCompetitor, 1e-9);
+    EXPECT_TRUE(match.graspable) << "the position is known to 2 px";
+  }
+}
+
+TEST_F(DecisionTest, APoseFarBesideOfSimilarOddsForbidsAGrasp) {
+  for (const double margin : {2., 4., 8.}) {
+    const decision::Detection beside = changed([&](decision::Detection& d) {
+      d.pose.x += 20;
+      d.odds.best_at_place -= margin;
+    });
+    EXPECT_EQ(select({sound(), beside}).matches.at(0).graspable, margin > 5) << margin;
+  }
+}
+
+TEST_F(DecisionTest, OnlyADisplacedPoseOfTheSameObjectAtTheSameAngleWidensTheCovariance) {
+  const auto widened = [&](double off, double turn, const prepared::PreparedObject& object) {
+    const decision::Detection beside = changed([&](decision::Detection& d) {
+      d.object = object.model.get();
+      d.view = &object.views.front();
+      d.pose.x += off;
+      d.pose.theta += to_radians(turn);
+      d.odds.best_at_place -= 1;
+    });
+    const cv::Matx33d covariance = select({sound(), beside}).matches.at(0).covariance;
+    return covariance(0, 0) > 0.5 ? 2 : covariance(2, 2) > 1e-5 ? 1 : 0;
+  };
+  EXPECT_EQ(widened(5, 0, object_), 2);
+  EXPECT_EQ(widened(5, 4, object_), 2);
+  EXPECT_EQ(widened(2, 0, object_), 0) << "the same pose within its accuracy";
+  EXPECT_EQ(widened(5, 20, object_), 0) << "a competing angle";
+  EXPECT_EQ(widened(5, 0, other_), 0) << "a competing object";
+}
+
 TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {
   const templates::MapFootprint& shape = object_.views.front().shape;
   double apart = 0;

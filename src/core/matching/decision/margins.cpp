@@ -2,6 +2,7 @@
 #include "matching/decision/margins.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace mbncc::decision {
 namespace {
@@ -22,16 +23,18 @@ bool turned(const Detection& a, const Detection& b) {
   return angle_distance(object_angle(a), object_angle(b), b.view->symmetry) > kOtherAngle;
 }
 
-cv::Point2d symmetry_centre(const Detection& detection) {
+/// [px] The reference point; of a symmetric object, whose reference point turns with equivalent
+/// angles, the centre of symmetry.
+cv::Point2d fixed_point(const Detection& detection) {
+  if (detection.view->symmetry == 1) return object_pose(detection).position();
   return transform(detection.pose, detection.scale * detection.view->symmetry_centre);
 }
 
-/// Whether both the anchors and the reference points lie apart: those of two views of one pose may
-/// do so one at a time. Those of a symmetric object turn with equivalent angles.
+/// Whether both the anchors and the fixed points lie apart: those of two views of one pose may do
+/// so one at a time. The anchor of a symmetric object turns with equivalent angles.
 bool displaced(const Detection& a, const Detection& b) {
-  if (b.view->symmetry != 1) return cv::norm(symmetry_centre(a) - symmetry_centre(b)) >= kDisplaced;
-  return cv::norm(a.pose.position() - b.pose.position()) >= kDisplaced &&
-         cv::norm(object_pose(a).position() - object_pose(b).position()) >= kDisplaced;
+  return cv::norm(fixed_point(a) - fixed_point(b)) >= kDisplaced &&
+         (b.view->symmetry != 1 || cv::norm(a.pose.position() - b.pose.position()) >= kDisplaced);
 }
 
 /// The best detection other than `detection` for which `competes` holds; null: none. `competes` is
@@ -96,11 +99,23 @@ const Detection* competing_place(const Detection& detection, const std::vector<D
   });
 }
 
-const Detection* competing_shift(const Detection& detection, const std::vector<Detection>& all) {
-  return best_competitor(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) && displaced(other, detection) &&
-           !turned(other, detection) && overlapping(detection, other);
-  });
+cv::Matx33d displacement_covariance(const Detection& detection, const std::vector<Detection>& all) {
+  cv::Matx33d largest = cv::Matx33d::zeros();
+  for (const auto& other : all) {
+    if (&other == &detection || !same_object(other, detection) || turned(other, detection) ||
+        !displaced(other, detection) || !overlapping(detection, other))
+      continue;
+    const double odds = std::exp(log_odds_against(detection, other) - detection.log_odds());
+    const double weight = odds / ((1 + odds) * (1 + odds));
+    const cv::Point2d way = fixed_point(other) - fixed_point(detection);
+    const double turn =
+        angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry);
+    const cv::Matx33d covariance = weight * cv::Matx33d(way.x * way.x, way.x * way.y, 0,  //
+                                                        way.x * way.y, way.y * way.y, 0,  //
+                                                        0, 0, turn * turn);
+    if (cv::trace(covariance) > cv::trace(largest)) largest = covariance;
+  }
+  return largest;
 }
 
 const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all) {

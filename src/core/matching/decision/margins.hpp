@@ -36,9 +36,11 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
                                  const std::vector<const Detection*>& accepted, double max_overlap);
 
-/// The best pose of the same object at the same angle that overlaps the detection but is displaced
-/// by 3 px or more, as by one pitch of a periodic part whose end is hidden; null: none.
-const Detection* competing_shift(const Detection& detection, const std::vector<Detection>& all);
+/// Covariance [px],[rad] added to that of the object's pose because another pose of the same object
+/// at the same angle, 3 px or more beside it, may be the true one, as one pitch along a periodic
+/// part whose end is hidden: that of a mixture of the two, weighted by their odds. The largest
+/// one; zero without such a pose.
+cv::Matx33d displacement_covariance(const Detection& detection, const std::vector<Detection>& all);
 
 /// The best detection of another object at the detection's place; null: none.
 const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all);

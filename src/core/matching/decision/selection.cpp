@@ -77,13 +77,14 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   match.revision = model.revision;
   match.pose = object_pose(detection);
   const cv::Point2d lever = rotate(lever_of(detection), detection.pose.theta);
-  match.covariance = moved_to_reference(detection.covariance, lever, detection);
+  const cv::Matx33d displaced = displacement_covariance(detection, all);
+  match.covariance = moved_to_reference(detection.covariance, lever, detection) + displaced;
   match.scale = view.scale * detection.scale;
   match.score = acceptance_score(detection, config);
   match.odds = detection.odds;
   match.similarity = detection.similarity;
   for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
-                                 competing_shift(detection, all), competing_object(detection, all)})
+                                 competing_object(detection, all)})
     if (other) match.competitors.push_back(competitor_of(match, detection, *other));
   match.margin_angle = angle_margin(detection, all);
   if (const Detection* turned = competing_angle(detection, all))
@@ -94,7 +95,8 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
       transform(detection.pose, detection.scale * view.symmetry_centre) - match.pose.position();
   match.outline = outline_at(detection);
   match.doubts = doubts_about(
-      match, detection, moved_to_reference(detection.grasp_covariance, lever, detection), config);
+      match, detection,
+      moved_to_reference(detection.grasp_covariance, lever, detection) + displaced, config);
   conclude(match, config);
   return match;
 }
