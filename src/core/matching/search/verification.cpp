@@ -5,9 +5,8 @@
 #include <cmath>
 
 #include "matching/evidence/contour_alternative.hpp"
-#include "matching/evidence/torn_contour.hpp"
 #include "matching/refinement/gauss_newton.hpp"
-#include "matching/scene/torn_rows.hpp"
+#include "matching/search/outline_alternatives.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -86,51 +85,6 @@ SizedPose at_best_size(const prepared::PreparedView& view, const scene::SceneIma
   return best;
 }
 
-/// Advantage of an alternative whose outline fits better than the object's at a pose; 0 if the
-/// surface contradicts it, so that its log-odds are not comparable. `alternative` makes its
-/// template of the object's.
-template <class Alternative>
-double advantage_with_surface(const prepared::PreparedView& view, const scene::SceneLevel& scene,
-                              const Pose2D& pose, double scale,
-                              const evidence::ContourAlternative& found,
-                              const Alternative& alternative) {
-  if (!(found.advantage > 0)) return found.advantage;
-  const auto odds = [&](const templates::PoseTemplate& object, const Pose2D& at) {
-    return evidence::log_odds(evidence::gather_evidence(object, scene, at, scale),
-                              view.shape.area());
-  };
-  const bool contradicted =
-      odds(view.fine, pose) - odds(alternative(view.fine), found.pose) > decision::kComparable;
-  return contradicted ? 0 : found.advantage;
-}
-
-/// Advantage of the mirrored object at a pose. If it is large, the object lies on its other side,
-/// or its mirror image lies there. None for a round object, whose outline is its own mirror image.
-double mirror_advantage(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                        const refinement::Refined& place) {
-  if (view.symmetry == 0) return 0;
-  const auto mirrored = [](templates::PoseTemplate object) {
-    object.mirror();
-    return object;
-  };
-  const scene::SceneLevel& level = scene.levels[0];
-  return advantage_with_surface(
-      view, level, place.pose, place.scale,
-      view.mirrored_contour.alternative(view.fine.contour, level, place.pose, place.scale),
-      mirrored);
-}
-
-/// Advantage of the object at a nearby place.
-double nearby_advantage(const prepared::PreparedView& view, const scene::SceneLevel& scene,
-                        const Pose2D& pose, double scale) {
-  const auto same = [](const templates::PoseTemplate& object) -> const templates::PoseTemplate& {
-    return object;
-  };
-  return advantage_with_surface(
-      view, scene, pose, scale,
-      evidence::alternative_elsewhere(view.fine.contour, scene, pose, scale), same);
-}
-
 refinement::Refined refined(const prepared::PreparedView& view, const scene::SceneImage& scene,
                             const PoseHypothesis& found, int steps) {
   if (found.odds <= kMinOddsToRefine) return refinement::unknown_accuracy(found.pose);
@@ -202,7 +156,9 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   detection.covariance = place.covariance;
   detection.grasp_covariance = place.grasp_covariance;
   detection.scale_variance = place.scale_variance;
-  const double mirrored = found.odds > kMinOddsToRefine ? mirror_advantage(view, scene, place) : 0;
+  const double mirrored = found.odds > kMinOddsToRefine
+                              ? mirrored_advantage({view, scene, place.pose, place.scale})
+                              : 0;
   detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
   const auto print = compare_surface(view, scene.levels[0], found.odds, place, detection);
   detection.odds = log_odds_of_pose(refined.odds, colour_penalty(detection.colour_difference),
@@ -289,16 +245,6 @@ std::vector<std::vector<decision::Detection>> by_place(
   return places;
 }
 
-/// Whether the rows of the image are displaced at the detection, or only those of the object, if
-/// the background did not move.
-bool is_torn(const templates::ContourTemplate& contour, const scene::SceneImage& scene,
-             const decision::Detection& detection) {
-  const cv::Rect box = templates::bounding_box(contour, detection.pose, detection.scale);
-  return scene::has_torn_rows(scene.grey[0], box) ||
-         evidence::advantage_torn(contour, scene.levels[0], detection.pose, detection.scale) >
-             evidence::kTorn;
-}
-
 /// Computes what is tested for the best pose of a place only: details of the print, parts beyond
 /// the outline or absent inside it, the advantage of the outline at nearby places, because shading
 /// displaces a plain surface by pixels, and of its ends, and whether the pose is torn.
@@ -318,10 +264,10 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
       view.outline_contrast.missing(level, view.fine, sample, pose, scale);
   detection.continued = missing.continued;
   detection.absent = missing.absent;
-  detection.contour_alternative = nearby_advantage(view, level, pose, scale);
+  detection.contour_alternative = nearby_advantage({view, scene, pose, scale});
   detection.size_alternative |=
       evidence::advantage_of_displaced_end(contour, level, pose, scale) > evidence::kOtherLength;
-  detection.torn = is_torn(contour, scene, detection);
+  detection.torn = is_torn({view, scene, pose, scale});
 }
 
 /// Examines the best pose of each place. The others share what goes on beyond its outline, so that
