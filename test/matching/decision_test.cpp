@@ -295,13 +295,12 @@ TEST_F(DecisionTest, APoseBesideWidensTheCovariance) {
       d.odds.best_at_place -= margin;
     });
     const Match match = select({sound(), beside}).matches.at(0);
-    const double weight = 1 / (1 + std::exp(margin));
-    const double variance = weight * (1 - weight);
-    EXPECT_NEAR(match.covariance(0, 0), 0.01 + variance * 2.4 * 2.4, 1e-4);
-    EXPECT_NEAR(match.covariance(0, 1), variance * 2.4 * 3.2, 1e-4);
-    EXPECT_NEAR(match.covariance(1, 1), 0.01 + variance * 3.2 * 3.2, 1e-4);
+    const double probability = 1 / (1 + std::exp(margin));
+    EXPECT_NEAR(match.covariance(0, 0), 0.01 + probability * 2.4 * 2.4, 1e-4);
+    EXPECT_NEAR(match.covariance(0, 1), probability * 2.4 * 3.2, 1e-4);
+    EXPECT_NEAR(match.covariance(1, 1), 0.01 + probability * 3.2 * 3.2, 1e-4);
     EXPECT_NEAR(match.margin_place, decision::kNoCompetitor, 1e-9);
-    EXPECT_TRUE(match.graspable) << "the position is known to 2 px";
+    EXPECT_EQ(match.graspable, margin > 0) << "the position is known to 2.3 and .7 px";
   }
 }
 

@@ -106,13 +106,13 @@ cv::Matx33d displacement_covariance(const Detection& detection, const std::vecto
         !displaced(other, detection) || !overlapping(detection, other))
       continue;
     const double odds = std::exp(log_odds_against(detection, other) - detection.log_odds());
-    const double weight = odds / ((1 + odds) * (1 + odds));
+    const double probability = odds / (1 + odds);
     const cv::Point2d way = fixed_point(other) - fixed_point(detection);
     const double turn =
         angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry);
-    const cv::Matx33d covariance = weight * cv::Matx33d(way.x * way.x, way.x * way.y, 0,  //
-                                                        way.x * way.y, way.y * way.y, 0,  //
-                                                        0, 0, turn * turn);
+    const cv::Matx33d covariance = probability * cv::Matx33d(way.x * way.x, way.x * way.y, 0,  //
+                                                             way.x * way.y, way.y * way.y, 0,  //
+                                                             0, 0, turn * turn);
     if (cv::trace(covariance) > cv::trace(largest)) largest = covariance;
   }
   return largest;

@@ -36,10 +36,10 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
 const Detection* competing_place(const Detection& detection, const std::vector<Detection>& all,
                                  const std::vector<const Detection*>& accepted, double max_overlap);
 
-/// Covariance [px],[rad] added to that of the object's pose because another pose of the same object
+/// Added to the covariance [px],[rad] of the object's pose because another pose of the same object
 /// at the same angle, 3 px or more beside it, may be the true one, as one pitch along a periodic
-/// part whose end is hidden: that of a mixture of the two, weighted by their odds. The largest
-/// one; zero without such a pose.
+/// part whose end is hidden: the square of the displacement, times the probability of that pose
+/// against this one. The largest one; zero without such a pose.
 cv::Matx33d displacement_covariance(const Detection& detection, const std::vector<Detection>& all);
 
 /// The best detection of another object at the detection's place; null: none.
