@@ -1,62 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Conditions for graspable and ambiguous detections, and competitors.
-#include <gtest/gtest.h>
-
-#include <functional>
-
 #include "matching/decision/margins.hpp"
-#include "matching/decision/selection.hpp"
-#include "matching/images.hpp"
-#include "matching/prepared/prepared_object.hpp"
+#include "matching/decision_fixture.hpp"
 
 namespace mbncc {
 namespace {
 
-class DecisionTest : public ::testing::Test {
- protected:
-  const test::LearningImage source_{1};
-  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
-                                         prepared::Engine::kFast};
-  const prepared::PreparedObject other_{test::object_from(source_, {58, 60, 0}, "other"),
-                                        prepared::Engine::kFast};
-  const SearchConfig config_{};
-
-  /// A reliable detection with a distinct outline, accurate to a tenth of a pixel.
-  decision::Detection sound() const {
-    decision::Detection detection;
-    detection.object = object_.model.get();
-    detection.view = &object_.views.front();
-    detection.pose = {100, 100, 0};
-    detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
-    detection.odds.best_at_place = 20;
-    detection.contour_alternative = -0.15;
-    detection.print_difference = detection.edge_difference = detection.detail_difference = 0;
-    return detection;
-  }
-
-  decision::Detection changed(const std::function<void(decision::Detection&)>& change) const {
-    decision::Detection detection = sound();
-    change(detection);
-    return detection;
-  }
-
-  static decision::Selection select(const std::vector<decision::Detection>& detections,
-                                    const SearchConfig& config, std::optional<double> min_score,
-                                    int max_instances) {
-    return decision::select_matches(detections, {config, min_score, max_instances, {}, {}, 0});
-  }
-
-  decision::Selection select(const std::vector<decision::Detection>& detections,
-                             std::optional<double> min_score = std::nullopt,
-                             int max_instances = 10) const {
-    return select(detections, config_, min_score, max_instances);
-  }
-
-  /// The match from the only detection in an image.
-  Match match_of(const decision::Detection& detection) const {
-    return select({detection}).matches.at(0);
-  }
-};
+using DecisionTest = test::DecisionTest;
 
 TEST_F(DecisionTest, ACertainMatchIsGraspable) {
   const Match match = match_of(sound());
@@ -94,6 +44,21 @@ TEST_F(DecisionTest, AnUncertainPoseIsNotGrasped) {
        {with(1.1 * place, 0, 0), with(0, 1.1 * place, 0), with(0, 0, 1.1 * angle)}) {
     EXPECT_FALSE(match.graspable);
     EXPECT_FALSE(match.ambiguous) << "uncertain, not mistaken";
+  }
+}
+
+TEST_F(DecisionTest, TheAccuracyIsThatOfTheWorstDirection) {
+  const auto along = [&](double direction, double deviation) {
+    const cv::Point2d way = rotate({deviation, 0}, direction);
+    return match_of(changed([&](decision::Detection& d) {
+      d.grasp_covariance(0, 0) += way.x * way.x;
+      d.grasp_covariance(1, 1) += way.y * way.y;
+      d.grasp_covariance(0, 1) = d.grasp_covariance(1, 0) = way.x * way.y;
+    }));
+  };
+  for (const double direction : {0., 0.5, kPi / 4, 2.}) {
+    EXPECT_TRUE(along(direction, 0.95 * config_.max_place_deviation).graspable) << direction;
+    EXPECT_FALSE(along(direction, 1.05 * config_.max_place_deviation).graspable) << direction;
   }
 }
 
@@ -285,52 +250,6 @@ TEST_F(DecisionTest, TheBetterOfTwoAtOnePlaceStays) {
   const decision::Selection selected = select({sound(), shifted});
   ASSERT_EQ(selected.matches.size(), 1u);
   EXPECT_NEAR(selected.matches[0].pose.x, match_of(shifted).pose.x, 1e-9);
-}
-
-TEST_F(DecisionTest, APoseBesideWidensTheCovariance) {
-  for (const double margin : {0., 3.}) {
-    const decision::Detection beside = changed([&](decision::Detection& d) {
-      d.pose.x += 2.4;
-      d.pose.y += 3.2;
-      d.odds.best_at_place -= margin;
-    });
-    const Match match = select({sound(), beside}).matches.at(0);
-    const double probability = 1 / (1 + std::exp(margin));
-    EXPECT_NEAR(match.covariance(0, 0), 0.01 + probability * 2.4 * 2.4, 1e-4);
-    EXPECT_NEAR(match.covariance(0, 1), probability * 2.4 * 3.2, 1e-4);
-    EXPECT_NEAR(match.covariance(1, 1), 0.01 + probability * 3.2 * 3.2, 1e-4);
-    EXPECT_NEAR(match.margin_place, decision::kNoCompetitor, 1e-9);
-    EXPECT_EQ(match.graspable, margin > 0) << "the position is known to 2.3 and .7 px";
-  }
-}
-
-TEST_F(DecisionTest, APoseFarBesideOfSimilarOddsForbidsAGrasp) {
-  for (const double margin : {2., 4., 8.}) {
-    const decision::Detection beside = changed([&](decision::Detection& d) {
-      d.pose.x += 20;
-      d.odds.best_at_place -= margin;
-    });
-    EXPECT_EQ(select({sound(), beside}).matches.at(0).graspable, margin > 5) << margin;
-  }
-}
-
-TEST_F(DecisionTest, OnlyADisplacedPoseOfTheSameObjectAtTheSameAngleWidensTheCovariance) {
-  const auto widened = [&](double off, double turn, const prepared::PreparedObject& object) {
-    const decision::Detection beside = changed([&](decision::Detection& d) {
-      d.object = object.model.get();
-      d.view = &object.views.front();
-      d.pose.x += off;
-      d.pose.theta += to_radians(turn);
-      d.odds.best_at_place -= 1;
-    });
-    const cv::Matx33d covariance = select({sound(), beside}).matches.at(0).covariance;
-    return covariance(0, 0) > 0.5 ? 2 : covariance(2, 2) > 1e-5 ? 1 : 0;
-  };
-  EXPECT_EQ(widened(5, 0, object_), 2);
-  EXPECT_EQ(widened(5, 4, object_), 2);
-  EXPECT_EQ(widened(2, 0, object_), 0) << "the same pose within its accuracy";
-  EXPECT_EQ(widened(5, 20, object_), 0) << "a competing angle";
-  EXPECT_EQ(widened(5, 0, other_), 0) << "a competing object";
 }
 
 TEST_F(DecisionTest, MapsThatShareMoreThanAQuarterClaimOnePlace) {

@@ -51,9 +51,10 @@ struct SearchConfig {
     visit(FieldInfo{"min_margin_angle", Allowed::range(0, 100), "log-odds",
                     "graspable only with this margin to the best other angle at the place"},
           self.min_margin_angle);
-    visit(FieldInfo{"max_place_deviation", Allowed::range(0, 100), "px",
-                    "graspable only up to this standard deviation of the position"},
-          self.max_place_deviation);
+    visit(
+        FieldInfo{"max_place_deviation", Allowed::range(0, 100), "px",
+                  "graspable only up to this standard deviation of the position in any direction"},
+        self.max_place_deviation);
     visit(FieldInfo{"max_angle_deviation", Allowed::range(0, 180), "deg",
                     "graspable only up to this standard deviation of the angle"},
           self.max_angle_deviation);

@@ -25,13 +25,19 @@ std::string number(double value, int digits) {
   return text.str();
 }
 
+/// [px] Standard deviation of the position in the direction in which it is largest: the square root
+/// of the larger eigenvalue of the covariance.
+double place_deviation(const cv::Matx33d& c) {
+  return std::sqrt((c(0, 0) + c(1, 1)) / 2 + std::hypot((c(0, 0) - c(1, 1)) / 2, c(0, 1)));
+}
+
 /// Checks the accuracy of the pose; the angle of a round object is ignored.
 void doubt_deviations(const Match& match, const cv::Matx33d& c, const SearchConfig& config,
                       std::vector<Doubt>& doubts) {
-  const double x = std::sqrt(c(0, 0)), y = std::sqrt(c(1, 1));
+  const double place = place_deviation(c);
   const double angle = match.symmetry == 0 ? 0 : to_degrees(std::sqrt(c(2, 2)));
-  if (!(x <= config.max_place_deviation && y <= config.max_place_deviation))
-    doubts.push_back({false, "position known to " + number(std::max(x, y), 1) + " px only"});
+  if (!(place <= config.max_place_deviation))
+    doubts.push_back({false, "position known to " + number(place, 1) + " px only"});
   if (!(angle <= config.max_angle_deviation))
     doubts.push_back({false, "angle known to " + number(angle, 1) + " degrees only"});
 }
