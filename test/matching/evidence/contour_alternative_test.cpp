@@ -22,9 +22,8 @@ class ContourAlternativeTest : public test::MatcherTest {
     const prepared::PreparedObject object(test::object_from(source_, reference_),
                                           prepared::Engine::kFast);
     const prepared::PreparedView& view = object.views.front();
-    return alternative_elsewhere(view.fine.contour, scene::SceneLevel(scene_, 0),
-                                 compose(reference, inverse(view.reference_in_anchor)), 1)
-        .advantage;
+    return advantage_elsewhere(view.fine.contour, scene::SceneLevel(scene_, 0),
+                               compose(reference, inverse(view.reference_in_anchor)), 1);
   }
 
   /// The same outline with the surface displaced by `off` [px].
@@ -63,8 +62,7 @@ TEST_F(ContourAlternativeTest, TheAdvantageIsTheDifferenceOfTheAgreements) {
   for (const cv::Point2d off : {cv::Point2d(3, 0), {0, -3.2}, {5, 5}, {-5, 3}, {3, -5}, {6, 6}})
     for (const double turned : {anchor.theta, anchor.theta + turn}) {
       const Pose2D beside{anchor.x + off.x, anchor.y + off.y, turned};
-      EXPECT_GT(alternative_elsewhere(contour, scene, beside, 1).advantage,
-                best - agreement.at(beside) - 0.02)
+      EXPECT_GT(advantage_elsewhere(contour, scene, beside, 1), best - agreement.at(beside) - 0.02)
           << off << " turned by " << turned - anchor.theta;
     }
 }

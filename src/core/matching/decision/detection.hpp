@@ -15,7 +15,7 @@ namespace mbncc::decision {
 
 /// Detection::contour_alternative of a detection whose outline was not tested at other places,
 /// because its score is low or it is not the best at its place. Larger than any
-/// alternative_elsewhere().
+/// advantage_elsewhere().
 constexpr double kNotExamined = 4;
 
 /// A pose with its evidence, refined if it may be reported.
@@ -42,9 +42,7 @@ struct Detection {
   double continued = 0;  ///< see MissingContrast; of the best pose at its place
   double absent = 0;     ///< the same; only the best pose at a place is examined
   bool torn = false;     ///< the same: rows or parts of its outline are displaced
-  double contour_alternative = kNotExamined;  ///< of the object at a nearby place, see
-                                              ///< ContourAlternative::advantage; 0 if its
-                                              ///< surface contradicts it
+  double contour_alternative = kNotExamined;  ///< see advantage_elsewhere()
   double rotation_odds = 0;  ///< against other rotations at this place, see rotation_odds()
   std::size_t number = 0;    ///< index among the poses verified together
 
@@ -53,7 +51,8 @@ struct Detection {
 };
 
 /// Rotations at one place compete if their log-odds are at most this far below the best. Their
-/// print penalty does not count, because gloss may cause it at one rotation and not at another.
+/// print penalty does not count, because gloss may cause it at one rotation and not at another. A
+/// mirrored object competes if its log-odds are at most this far below those of the pose.
 constexpr double kComparable = 8;
 
 /// Overlap of two maps [0..1] of the smaller one from which on they compete for one place.

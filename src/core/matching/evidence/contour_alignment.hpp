@@ -15,12 +15,6 @@ struct AlignedContourPose {
   double agreement;  ///< see contour_agreement()
 };
 
-/// Another pose at which a contour is compared with the found one.
-struct ContourAlternative {
-  Pose2D pose;
-  double advantage;  ///< [-2..2] in contour_agreement() over the found pose
-};
-
 class ContourAlignment {
  public:
   /// The contour is `scale` times as large as the template. `pixels` must contain the surroundings

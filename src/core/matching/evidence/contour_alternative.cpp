@@ -100,9 +100,8 @@ double advantage_of_displaced_end(const templates::ContourTemplate& contour,
   return best;
 }
 
-ContourAlternative alternative_elsewhere(const templates::ContourTemplate& contour,
-                                         const scene::SceneLevel& scene, const Pose2D& pose,
-                                         double scale) {
+double advantage_elsewhere(const templates::ContourTemplate& contour,
+                           const scene::SceneLevel& scene, const Pose2D& pose, double scale) {
   constexpr double kNearest = 2.9;    // [px] nearer poses are the same place within its accuracy
   constexpr double kStep = 2;         // [px] small enough not to skip an edge
   constexpr int kFarthest = 3;        // steps along x and y
@@ -114,7 +113,7 @@ ContourAlternative alternative_elsewhere(const templates::ContourTemplate& conto
     return std::hypot(other.x - pose.x, other.y - pose.y) >= kNearest;
   };
   const double here = agreement.at(pose);
-  AlignedContourPose best{pose, -1};
+  double best = -1;
   for (int i = -kFarthest; i <= kFarthest; ++i)
     for (int j = -kFarthest; j <= kFarthest; ++j) {
       const Pose2D start{pose.x + kStep * i, pose.y + kStep * j, pose.theta};
@@ -122,9 +121,9 @@ ContourAlternative alternative_elsewhere(const templates::ContourTemplate& conto
       AlignedContourPose there{start, agreement.at(start)};
       if (there.agreement > here - kWorse)
         there = agreement.aligned(start, kAlignmentSteps, elsewhere);
-      if (there.agreement > best.agreement) best = there;
+      best = std::max(best, there.agreement);
     }
-  return {best.pose, best.agreement - here};
+  return best - here;
 }
 
 }  // namespace mbncc::evidence

@@ -2,17 +2,15 @@
 // Tests whether an outline, or one of its ends, fits better at a nearby place.
 #pragma once
 
-#include "matching/evidence/contour_alignment.hpp"
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
 namespace mbncc::evidence {
 
-/// Advantage in contour_agreement() over `pose` of the best place 3 to about 10 px away, at about
-/// the same rotation, for the contour `scale` times as large. Approximate if negative.
-ContourAlternative alternative_elsewhere(const templates::ContourTemplate& contour,
-                                         const scene::SceneLevel& scene, const Pose2D& pose,
-                                         double scale);
+/// [-2..2] Advantage in contour_agreement() over `pose` of the best place 3 to about 10 px away, at
+/// about the same rotation, for the contour `scale` times as large. Approximate if negative.
+double advantage_elsewhere(const templates::ContourTemplate& contour,
+                           const scene::SceneLevel& scene, const Pose2D& pose, double scale);
 
 /// Least advantage_of_displaced_end() of an object of another length.
 constexpr double kOtherLength = 0.4;

@@ -47,29 +47,31 @@ std::vector<Pose2D> best_overlays(const templates::ContourTemplate& contour,
 MirroredContour::MirroredContour(const templates::ContourTemplate& contour,
                                  const scene::SceneLevel& lesson, const Pose2D& home)
     : mirrored_(mirrored(contour)), poses_(best_overlays(mirrored_, contour)) {
-  const double surplus = alternative(contour, lesson, home, 1).advantage;
+  double surplus = -1;
+  for (const auto& one : alternatives(contour, lesson, home, 1))
+    surplus = std::max(surplus, one.advantage);
   usual_ = std::max(0.0, surplus);
   if (surplus < -kMinDeficit) limit_ = std::clamp(-surplus / 2, kLeastLimit, kMirrored);
 }
 
-ContourAlternative MirroredContour::alternative(const templates::ContourTemplate& contour,
-                                                const scene::SceneLevel& scene, const Pose2D& pose,
-                                                double scale) const {
+std::vector<MirroredContour::Alternative> MirroredContour::alternatives(
+    const templates::ContourTemplate& contour, const scene::SceneLevel& scene, const Pose2D& pose,
+    double scale) const {
   constexpr double kSlack = 10;  // [px] more than the reach of alignment and edge search
   const auto around = [&](const Pose2D& place) {
     return scene.around(place, scale * contour.radius() + kSlack);
   };
   const double own =
       ContourAlignment(contour, around(pose), scale).aligned(pose, kOwnAlignmentSteps).agreement;
-  AlignedContourPose best{pose, -1};
+  std::vector<Alternative> found;
   for (const auto& one : poses_) {
     const Pose2D start = compose(pose, {scale * one.x, scale * one.y, one.theta});
     ContourAlignment over(mirrored_, around(start), scale);
     AlignedContourPose there{start, over.at(start)};
     if (there.agreement > own - kWorse) there = over.aligned(start, kAlignmentSteps);
-    if (there.agreement > best.agreement) best = there;
+    found.push_back({there.pose, there.agreement - own - usual_});
   }
-  return {best.pose, best.agreement - own - usual_};
+  return found;
 }
 
 }  // namespace mbncc::evidence

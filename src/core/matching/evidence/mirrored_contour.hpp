@@ -4,7 +4,6 @@
 
 #include <vector>
 
-#include "matching/evidence/contour_alignment.hpp"
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
@@ -21,13 +20,20 @@ class MirroredContour {
   MirroredContour(const templates::ContourTemplate& contour, const scene::SceneLevel& lesson,
                   const Pose2D& home);
 
-  /// Best pose of the mirrored outline, `scale` times as large, and its advantage over `contour` at
-  /// `pose`, minus that in the lesson, because an outline can be its own mirror image.
-  ContourAlternative alternative(const templates::ContourTemplate& contour,
-                                 const scene::SceneLevel& scene, const Pose2D& pose,
-                                 double scale) const;
+  /// A pose of the mirrored outline.
+  struct Alternative {
+    Pose2D pose;
+    double advantage;  ///< [-2..2] in contour_agreement() over the object's own outline
+  };
 
-  /// [agreement] If the advantage exceeds it, the object lies on its other side. Half of the
+  /// Poses at which the mirrored outline, `scale` times as large, covers `contour` at `pose` best.
+  /// Their advantages are less by that in the lesson, because an outline can be its own mirror
+  /// image.
+  std::vector<Alternative> alternatives(const templates::ContourTemplate& contour,
+                                        const scene::SceneLevel& scene, const Pose2D& pose,
+                                        double scale) const;
+
+  /// [agreement] If an advantage exceeds it, the object lies on its other side. Half of the
   /// mirrored outline's deficit in the lesson, at most kMirrored; kMirrored if the deficit is
   /// small.
   double limit() const { return limit_; }

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/search/outline_alternatives.hpp"
 
+#include <algorithm>
+
 #include "matching/decision/detection.hpp"
-#include "matching/evidence/contour_alternative.hpp"
 #include "matching/evidence/evidence.hpp"
 #include "matching/evidence/torn_contour.hpp"
 #include "matching/scene/torn_rows.hpp"
@@ -16,33 +17,24 @@ double log_odds(const ViewInImage& found, const templates::PoseTemplate& object,
                             found.view.shape.area());
 }
 
-/// Whether the log-odds of `alternative`, of outline and surface together, are not comparable to
-/// those of the found pose, although its outline fits better.
-bool is_contradicted(const ViewInImage& found, const templates::PoseTemplate& alternative,
-                     const Pose2D& pose) {
-  return log_odds(found, found.view.fine, found.pose) - log_odds(found, alternative, pose) >
-         decision::kComparable;
-}
-
 }  // namespace
 
 double mirrored_advantage(const ViewInImage& found) {
   const templates::PoseTemplate& object = found.view.fine;
+  const evidence::MirroredContour& contour = found.view.mirrored_contour;
   if (found.view.symmetry == 0) return 0;
-  const auto other = found.view.mirrored_contour.alternative(object.contour, found.level(),
-                                                             found.pose, found.scale);
-  if (other.advantage <= 0) return other.advantage;
-  templates::PoseTemplate mirrored = object;
-  mirrored.mirror();
-  return is_contradicted(found, mirrored, other.pose) ? 0 : other.advantage;
-}
-
-double nearby_advantage(const ViewInImage& found) {
-  const templates::PoseTemplate& object = found.view.fine;
-  const auto other =
-      evidence::alternative_elsewhere(object.contour, found.level(), found.pose, found.scale);
-  if (other.advantage <= 0) return other.advantage;
-  return is_contradicted(found, object, other.pose) ? 0 : other.advantage;
+  templates::PoseTemplate mirrored;
+  const auto is_comparable = [&](const Pose2D& pose) {
+    if (mirrored.contour.x.empty()) (mirrored = object).mirror();
+    return log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) <=
+           decision::kComparable;
+  };
+  double largest = 0;
+  for (const auto& other :
+       contour.alternatives(object.contour, found.level(), found.pose, found.scale))
+    if (other.advantage > std::max(largest, contour.limit()) && is_comparable(other.pose))
+      largest = other.advantage;
+  return largest;
 }
 
 bool is_torn(const ViewInImage& found) {

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Alternatives to a pose whose outline fits better: mirrored, nearby or torn. A surface that
-// contradicts one decides against it, because lines of a print or of a neighbour form outlines,
-// too.
+// Alternatives to a pose whose outline fits better: mirrored or torn.
 #pragma once
 
 #include "matching/prepared/prepared_object.hpp"
@@ -19,14 +17,11 @@ struct ViewInImage {
   const scene::SceneLevel& level() const { return scene.levels[0]; }
 };
 
-/// [-2..2] Advantage in agreement of the mirrored outline; 0 if the surface contradicts it. If it
-/// is large, the object lies on its other side, or its mirror image lies there. 0 for a round
-/// object, whose outline is its own mirror image.
+/// [0..2] Largest advantage in agreement of the mirrored outline that exceeds its limit() and that
+/// the surface does not contradict, because lines of a print form outlines, too; 0: none. The
+/// object then lies on its other side, or its mirror image lies there. 0 for a round object, whose
+/// outline is its own mirror image.
 double mirrored_advantage(const ViewInImage& found);
-
-/// [-2..2] Advantage in agreement of the outline at a nearby place, see alternative_elsewhere(); 0
-/// if the surface contradicts it.
-double nearby_advantage(const ViewInImage& found);
 
 /// Whether the rows of the image are displaced at the pose, or only those of the object, if the
 /// background did not move.

@@ -159,7 +159,7 @@ void evaluate(const prepared::PreparedView& view, const scene::SceneImage& scene
   const double mirrored = found.odds > kMinOddsToRefine
                               ? mirrored_advantage({view, scene, place.pose, place.scale})
                               : 0;
-  detection.mirror_alternative = mirrored > view.mirrored_contour.limit();
+  detection.mirror_alternative = mirrored > 0;
   const auto print = compare_surface(view, scene.levels[0], found.odds, place, detection);
   detection.odds = log_odds_of_pose(refined.odds, colour_penalty(detection.colour_difference),
                                     mirror_penalty(mirrored), print_penalty(print.enclosed));
@@ -264,7 +264,7 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
       view.outline_contrast.missing(level, view.fine, sample, pose, scale);
   detection.continued = missing.continued;
   detection.absent = missing.absent;
-  detection.contour_alternative = nearby_advantage({view, scene, pose, scale});
+  detection.contour_alternative = evidence::advantage_elsewhere(contour, level, pose, scale);
   detection.size_alternative |=
       evidence::advantage_of_displaced_end(contour, level, pose, scale) > evidence::kOtherLength;
   detection.torn = is_torn({view, scene, pose, scale});
