@@ -56,6 +56,9 @@ TEST_F(DecisionTest, TheAccuracyIsThatOfTheWorstDirection) {
       d.grasp_covariance(0, 1) = d.grasp_covariance(1, 0) = way.x * way.y;
     }));
   };
+  EXPECT_FALSE(
+      match_of(changed([](decision::Detection& d) { d.grasp_covariance(0, 0) = -1; })).graspable)
+      << "no variance";
   for (const double direction : {0., 0.5, kPi / 4, 2.}) {
     EXPECT_TRUE(along(direction, 0.95 * config_.max_place_deviation).graspable) << direction;
     EXPECT_FALSE(along(direction, 1.05 * config_.max_place_deviation).graspable) << direction;

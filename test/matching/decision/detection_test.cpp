@@ -62,6 +62,26 @@ TEST_F(RotationTest, OtherPlacesAndUnlikelyPosesStayUnchanged) {
   EXPECT_DOUBLE_EQ(compared[2].log_odds(), -9);
 }
 
+// After half a turn about its own middle, a frame with a handle covers most of itself, but its
+// anchor, the centre of the excircle, lies far from where it was.
+TEST_F(RotationTest, WhatCoversTheSameMapIsOnePlaceHoweverFarItsAnchor) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(10, 30, 60, 60)) = 255;
+  map(cv::Rect(18, 38, 44, 44)) = 0;
+  map(cv::Rect(70, 56, 44, 8)) = 255;
+  const prepared::PreparedObject frame(test::object_from(test::LearningImage(3, map), {60, 60, 0}),
+                                       prepared::Engine::kFast);
+  const prepared::PreparedView& view = frame.views.front();
+  Detection right = at(200, 0, 6, 43), turned = at(200, kPi, 7, 40);
+  for (Detection* one : {&right, &turned}) one->view = &view;
+  const cv::Point2d middle = cv::Point2d(39.5, 59.5) - view.anchor;
+  turned.pose.x += 2 * middle.x;
+  ASSERT_GT(std::abs(2 * middle.x), 0.5 * view.shape.radius());
+  const auto compared = resolve_rotations({right, turned});
+  EXPECT_DOUBLE_EQ(compared[0].pose.theta, 0);
+  EXPECT_DOUBLE_EQ(compared[1].odds.rotation, 3);
+}
+
 TEST(RotationOdds, ColourResidualsDecideBetweenEqualCorrelations) {
   evidence::Evidence right, wrong;
   right.contour_score = wrong.contour_score = 0.7;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <sstream>
 
 #include "matching/decision/margins.hpp"
@@ -26,8 +27,9 @@ std::string number(double value, int digits) {
 }
 
 /// [px] Standard deviation of the position in the direction in which it is largest: the square root
-/// of the larger eigenvalue of the covariance.
+/// of the larger eigenvalue of the covariance. NaN if a variance is negative.
 double place_deviation(const cv::Matx33d& c) {
+  if (c(0, 0) < 0 || c(1, 1) < 0) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt((c(0, 0) + c(1, 1)) / 2 + std::hypot((c(0, 0) - c(1, 1)) / 2, c(0, 1)));
 }
 

@@ -8,9 +8,7 @@
 namespace mbncc::decision {
 
 bool at_one_place(const Detection& a, const Detection& b) {
-  constexpr double kApart = 0.4;  // [radii] largest distance of one place
-  return cv::norm(a.pose.position() - b.pose.position()) <= kApart * b.view->shape.radius() &&
-         templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOnePlace;
+  return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOnePlace;
 }
 
 cv::Point2d lever_of(const Detection& detection) {

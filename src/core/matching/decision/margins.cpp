@@ -23,23 +23,17 @@ bool turned(const Detection& a, const Detection& b) {
   return angle_distance(object_angle(a), object_angle(b), b.view->symmetry) > kOtherAngle;
 }
 
-/// [px] The centre of symmetry, because the reference point of a symmetric object turns with
-/// equivalent angles; without symmetry, the reference point.
-cv::Point2d fixed_point(const Detection& detection, int symmetry) {
-  if (symmetry == 1) return object_pose(detection).position();
+/// [px] The reference point; of a symmetric object, whose reference point turns with equivalent
+/// angles, the centre of symmetry.
+cv::Point2d fixed_point(const Detection& detection) {
+  if (detection.view->symmetry == 1) return object_pose(detection).position();
   return transform(detection.pose, detection.scale * detection.view->symmetry_centre);
-}
-
-/// [px] From the fixed point of `from` to that of `to`.
-cv::Point2d displacement(const Detection& from, const Detection& to) {
-  const int symmetry = from.view->symmetry == to.view->symmetry ? from.view->symmetry : 1;
-  return fixed_point(to, symmetry) - fixed_point(from, symmetry);
 }
 
 /// Whether both the anchors and the fixed points lie apart: those of two views of one pose may do
 /// so one at a time. The anchor of a symmetric object turns with equivalent angles.
 bool displaced(const Detection& a, const Detection& b) {
-  return cv::norm(displacement(a, b)) >= kDisplaced &&
+  return cv::norm(fixed_point(a) - fixed_point(b)) >= kDisplaced &&
          (b.view->symmetry != 1 || cv::norm(a.pose.position() - b.pose.position()) >= kDisplaced);
 }
 
@@ -74,7 +68,7 @@ bool overlapping(const Detection& a, const Detection& b, double most) {
 const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all) {
   return best_competitor(detection, all, [&](const Detection& other) {
     return same_object(other, detection) && turned(other, detection) &&
-           overlapping(detection, other);
+           at_one_place(detection, other);
   });
 }
 
@@ -86,7 +80,7 @@ double instance_margin(const Detection& detection, const std::vector<Detection>&
                        const std::map<std::string, double>& elsewhere) {
   const double margin =
       margin_to(detection, best_competitor(detection, all, [&](const Detection& other) {
-                  return same_object(other, detection) && !overlapping(detection, other);
+                  return same_object(other, detection) && !at_one_place(detection, other);
                 }));
   const auto best = elsewhere.find(detection.object->name);
   return best == elsewhere.end() ? margin : std::min(margin, detection.log_odds() - best->second);
@@ -101,7 +95,7 @@ const Detection* competing_place(const Detection& detection, const std::vector<D
     });
   };
   return best_competitor(detection, all, [&](const Detection& other) {
-    return same_object(other, detection) && !overlapping(detection, other) && !explained(other);
+    return same_object(other, detection) && !at_one_place(detection, other) && !explained(other);
   });
 }
 
@@ -109,11 +103,11 @@ cv::Matx33d displacement_covariance(const Detection& detection, const std::vecto
   cv::Matx33d largest = cv::Matx33d::zeros();
   for (const auto& other : all) {
     if (&other == &detection || !same_object(other, detection) || turned(other, detection) ||
-        !displaced(other, detection) || !overlapping(detection, other))
+        !displaced(other, detection) || !at_one_place(detection, other))
       continue;
     const double margin = detection.log_odds() - log_odds_against(detection, other);
     const double probability = 1 / (1 + std::exp(margin));
-    const cv::Point2d way = displacement(detection, other);
+    const cv::Point2d way = fixed_point(other) - fixed_point(detection);
     const double turn =
         angle_distance(object_angle(other), object_angle(detection), detection.view->symmetry);
     const cv::Matx33d covariance = probability * cv::Matx33d(way.x * way.x, way.x * way.y, 0,  //
@@ -126,7 +120,7 @@ cv::Matx33d displacement_covariance(const Detection& detection, const std::vecto
 
 const Detection* competing_object(const Detection& detection, const std::vector<Detection>& all) {
   return best_competitor(detection, all, [&](const Detection& other) {
-    return !same_object(other, detection) && overlapping(detection, other);
+    return !same_object(other, detection) && at_one_place(detection, other);
   });
 }
 

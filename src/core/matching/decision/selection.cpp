@@ -138,7 +138,7 @@ Selection select_matches(std::vector<Detection> detections, const AcceptanceSett
   const auto is_other_instance = [&](const Detection& one) {
     return !is_asked_for(one) &&
            std::none_of(detections.begin(), detections.end(), [&](const Detection& other) {
-             return is_asked_for(other) && overlapping(one, other);
+             return is_asked_for(other) && at_one_place(one, other);
            });
   };
   accept(detections, acceptance, std::numeric_limits<int>::max(), is_other_instance, accepted);

@@ -23,7 +23,7 @@ class MirroredContour {
   /// A pose of the mirrored outline.
   struct Alternative {
     Pose2D pose;
-    double advantage;  ///< [-2..2] in contour_agreement() over the object's own outline
+    double advantage;  ///< [-4..2] in contour_agreement() over the object's own outline
   };
 
   /// Poses at which the mirrored outline, `scale` times as large, covers `contour` at `pose` best.

@@ -26,8 +26,8 @@ double mirrored_advantage(const ViewInImage& found) {
   templates::PoseTemplate mirrored;
   const auto is_comparable = [&](const Pose2D& pose) {
     if (mirrored.contour.x.empty()) (mirrored = object).mirror();
-    return log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) <=
-           decision::kComparable;
+    return !(log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) >
+             decision::kComparable);
   };
   double largest = 0;
   for (const auto& other :
