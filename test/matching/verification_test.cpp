@@ -51,6 +51,16 @@ class VerificationTest : public test::MatcherTest {
     hypothesis.odds = odds;
     return search::verify(object_, view_, scene, {hypothesis}).at(0);
   }
+
+  /// The best detection of a likely `object` whose reference point is at `truth`.
+  static decision::Detection judged_of(const prepared::PreparedObject& object,
+                                       const scene::SceneImage& scene, const Pose2D& truth) {
+    const prepared::PreparedView& view = object.views.front();
+    search::PoseHypothesis found =
+        search::score_as_is(view, scene, compose(truth, inverse(view.reference_in_anchor)));
+    found.odds = 12;
+    return search::verify(object, view, scene, {found}).at(0);
+  }
 };
 
 TEST_F(VerificationTest, TheTrueObjectHasNoDoubts) {
@@ -169,13 +179,9 @@ TEST_F(VerificationTest, ASlightlyDifferentMirrorImageIsDetected) {
   const test::LearningImage mirrored = test::mirrored(plate);
   const prepared::PreparedObject object(test::object_from(plate, {60, 60, 0}),
                                         prepared::Engine::kFast);
-  const prepared::PreparedView& view = object.views.front();
   for (const bool over : {false, true}) {
     const scene::SceneImage scene(scene_with(over ? mirrored : plate, truth_), object.top_level());
-    search::PoseHypothesis found =
-        search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
-    found.odds = 12;
-    EXPECT_EQ(search::verify(object, view, scene, {found}).at(0).mirror_alternative, over);
+    EXPECT_EQ(judged_of(object, scene, truth_).mirror_alternative, over);
   }
 }
 
@@ -188,10 +194,7 @@ TEST_F(VerificationTest, ASurfaceThatContradictsTheMirrorImageDecides) {
                                         prepared::Engine::kFast);
   const prepared::PreparedView& view = object.views.front();
   const scene::SceneImage scene(scene_with(seen, truth_), object.top_level());
-  search::PoseHypothesis found =
-      search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
-  found.odds = 12;
-  const decision::Detection judged = search::verify(object, view, scene, {found}).at(0);
+  const decision::Detection judged = judged_of(object, scene, truth_);
   EXPECT_FALSE(judged.mirror_alternative);
   double largest = -1;
   for (const auto& other : view.mirrored_contour.alternatives(view.fine.contour, scene.levels[0],
@@ -200,29 +203,49 @@ TEST_F(VerificationTest, ASurfaceThatContradictsTheMirrorImageDecides) {
   EXPECT_GT(largest, view.mirrored_contour.limit());
 }
 
+/// An object of 120 px whose surface is its own mirror image.
+test::LearningImage with_mirrored_surface(test::LearningImage object) {
+  cv::Mat right_half;
+  cv::flip(object.surface.colRange(0, 60), right_half, 1);
+  right_half.copyTo(object.surface.colRange(60, 120));
+  object.surface.copyTo(object.image, object.map);
+  return object;
+}
+
+TEST_F(VerificationTest, AnOutlineThatIsItsOwnMirrorImageMayFitALittleBetterMirrored) {
+  cv::Mat map = cv::Mat::zeros(120, 120, CV_8UC1);
+  map(cv::Rect(10, 25, 100, 70)) = 255;
+  const test::LearningImage plate = with_mirrored_surface(test::LearningImage(3, map));
+  const prepared::PreparedObject object(test::object_from(plate, reference_),
+                                        prepared::Engine::kFast);
+  const prepared::PreparedView& view = object.views.front();
+  int better = 0;
+  for (int k = 0; k < 8; ++k) {
+    const Pose2D truth{160 + 0.3 * k, 120 - 0.2 * k, 0.7 * k};
+    const scene::SceneImage scene(scene_with(plate, truth), object.top_level());
+    const decision::Detection judged = judged_of(object, scene, truth);
+    EXPECT_FALSE(judged.mirror_alternative) << k;
+    for (const auto& other : view.mirrored_contour.alternatives(view.fine.contour, scene.levels[0],
+                                                                judged.pose, judged.scale))
+      if (other.advantage > 0) ++better;
+  }
+  EXPECT_GT(better, 0) << "nothing was tested";
+}
+
 // The mirrored outline fits at two rotations, better at the one that the surface contradicts.
 TEST_F(VerificationTest, EachMirroredOutlineIsComparedWithTheSurface) {
   const auto plate_without_tips = [](int right, int left) {
     cv::Mat map = plate_without_tip(right).map;
     const std::vector<cv::Point> corner{{10, 94}, {10 + left, 94}, {10, 94 - left}};
     cv::fillPoly(map, std::vector<std::vector<cv::Point>>{corner}, cv::Scalar(0));
-    test::LearningImage plate(3, map);
-    cv::Mat right_half;
-    cv::flip(plate.surface.colRange(0, 60), right_half, 1);
-    right_half.copyTo(plate.surface.colRange(60, 120));
-    plate.surface.copyTo(plate.image, map);
-    return plate;
+    return with_mirrored_surface(test::LearningImage(3, map));
   };
   const test::LearningImage plate = plate_without_tips(24, 20);
   const test::LearningImage seen = test::mirrored(plate_without_tips(20, 24));
   const prepared::PreparedObject object(test::object_from(plate, reference_),
                                         prepared::Engine::kFast);
-  const prepared::PreparedView& view = object.views.front();
   const scene::SceneImage scene(scene_with(seen, truth_), object.top_level());
-  search::PoseHypothesis found =
-      search::score_as_is(view, scene, compose(truth_, inverse(view.reference_in_anchor)));
-  found.odds = 12;
-  EXPECT_TRUE(search::verify(object, view, scene, {found}).at(0).mirror_alternative);
+  EXPECT_TRUE(judged_of(object, scene, truth_).mirror_alternative);
 }
 
 TEST_F(VerificationTest, AMirroredTemplateFitsTheMirroredImageAsWell) {
