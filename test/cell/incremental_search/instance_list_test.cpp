@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Comparisons and competitors of a instance instance in a video.
+// Comparisons and competitors of an instance in a video.
 #include "cell/incremental_search/instance_list.hpp"
 
 #include <gtest/gtest.h>
@@ -79,7 +79,7 @@ class KnownInstancesTest : public testing::Test {
     instances_.compare("one", found, [covered](const cv::Rect&) { return covered; });
   }
 
-  /// Margin of the only instance instance if `rival` is its only competitor.
+  /// Margin of the only instance if `rival` is its only competitor.
   double margin_to(const Match& rival) {
     instances_.all()[0].others.clear();
     compare_with({rival_of(rival)});

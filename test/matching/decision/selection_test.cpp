@@ -1,32 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/decision/selection.hpp"
 
-#include <gtest/gtest.h>
-
-#include "matching/images.hpp"
-#include "matching/prepared/prepared_object.hpp"
+#include "matching/decision_fixture.hpp"
 
 namespace mbncc::decision {
 namespace {
 
-class SelectionTest : public ::testing::Test {
+class SelectionTest : public test::DecisionTest {
  protected:
-  const test::LearningImage source_{1};
-  const prepared::PreparedObject object_{test::object_from(source_, {58, 60, 0}),
-                                         prepared::Engine::kFast};
-  const SearchConfig config_{};
-
-  /// A detection whose position is known to a tenth of a pixel.
   Detection detection_of(double log_odds, double elsewhere = 0) const {
-    Detection detection;
-    detection.object = object_.model.get();
-    detection.view = &object_.views.front();
-    detection.pose = {100, 100, 0};
-    detection.covariance = detection.grasp_covariance = cv::Matx33d::diag({0.01, 0.01, 1e-6});
-    detection.odds.best_at_place = log_odds;
-    detection.contour_alternative = elsewhere;
-    detection.print_difference = detection.edge_difference = detection.detail_difference = 0;
-    return detection;
+    return changed([&](Detection& d) {
+      d.odds.best_at_place = log_odds;
+      d.contour_alternative = elsewhere;
+    });
   }
 
   /// The match from the only detection in an image.

@@ -7,8 +7,12 @@
 
 namespace mbncc::decision {
 
+bool overlapping(const Detection& a, const Detection& b, double most) {
+  return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
+}
+
 bool at_one_place(const Detection& a, const Detection& b) {
-  return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > kOnePlace;
+  return overlapping(a, b, kOnePlace);
 }
 
 cv::Point2d lever_of(const Detection& detection) {

@@ -58,6 +58,9 @@ constexpr double kComparable = 8;
 /// Overlap of two maps [0..1] of the smaller one from which on they compete for one place.
 constexpr double kOnePlace = 0.25;
 
+/// Whether two detections overlap by more than `most` [0..1] of the smaller map.
+bool overlapping(const Detection& a, const Detection& b, double most);
+
 /// Whether two detections are at one place, however far their anchors lie apart: an object with a
 /// handle covers most of itself after half a turn. Long parts side by side lie at two.
 bool at_one_place(const Detection& a, const Detection& b);

@@ -61,10 +61,6 @@ double log_odds_against(const Detection& detection, const Detection& other) {
   return detection.odds.of_competitor(other.odds, same_object(other, detection));
 }
 
-bool overlapping(const Detection& a, const Detection& b, double most) {
-  return templates::overlap(a.view->shape, a.pose, b.view->shape, b.pose) > most;
-}
-
 const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all) {
   return best_competitor(detection, all, [&](const Detection& other) {
     return same_object(other, detection) && turned(other, detection) &&

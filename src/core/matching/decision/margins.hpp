@@ -16,9 +16,6 @@ constexpr double kNoCompetitor = 20;
 /// Log-odds of `other` as a competitor of `detection`, see LogOdds::of_competitor().
 double log_odds_against(const Detection& detection, const Detection& other);
 
-/// Whether two detections overlap by more than `most` [0..1] of the smaller map.
-bool overlapping(const Detection& a, const Detection& b, double most);
-
 /// The best other rotation of the same object at the detection's place; null: none.
 const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all);
 

@@ -17,22 +17,25 @@ double log_odds(const ViewInImage& found, const templates::PoseTemplate& object,
                             found.view.shape.area());
 }
 
+/// Whether the log-odds of the mirrored object at `pose`, of outline and surface together, are
+/// comparable to those of the found pose.
+bool is_comparable(const ViewInImage& found, const Pose2D& pose) {
+  const templates::PoseTemplate& object = found.view.fine;
+  templates::PoseTemplate mirrored = object;
+  mirrored.mirror();
+  return !(log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) >
+           decision::kComparable);
+}
+
 }  // namespace
 
 double mirrored_advantage(const ViewInImage& found) {
-  const templates::PoseTemplate& object = found.view.fine;
-  const evidence::MirroredContour& contour = found.view.mirrored_contour;
+  const evidence::MirroredContour& mirrored = found.view.mirrored_contour;
   if (found.view.symmetry == 0) return 0;
-  templates::PoseTemplate mirrored;
-  const auto is_comparable = [&](const Pose2D& pose) {
-    if (mirrored.contour.x.empty()) (mirrored = object).mirror();
-    return !(log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) >
-             decision::kComparable);
-  };
   double largest = 0;
   for (const auto& other :
-       contour.alternatives(object.contour, found.level(), found.pose, found.scale))
-    if (other.advantage > std::max(largest, contour.limit()) && is_comparable(other.pose))
+       mirrored.alternatives(found.view.fine.contour, found.level(), found.pose, found.scale))
+    if (other.advantage > std::max(largest, mirrored.limit()) && is_comparable(found, other.pose))
       largest = other.advantage;
   return largest;
 }
