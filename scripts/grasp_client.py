@@ -17,8 +17,8 @@ import rospy
 
 from mbncc_vision.msg import DetectedObject, DetectedObjectArray, LearnedObjectArray
 
-STATES = {DetectedObject.NEW: "new: not seen often enough yet",
-          DetectedObject.AMBIGUOUS: "ambiguous: something else scores too close",
+STATES = {DetectedObject.NEW: "not graspable, or not often enough yet",
+          DetectedObject.AMBIGUOUS: "ambiguous",
           DetectedObject.HELD: "held: not seen in the last image"}
 
 
@@ -41,7 +41,7 @@ def array_fault(array):
 def object_fault(found, now):
     """Why the object may not be grasped now; None when it may."""
     if found.state != DetectedObject.CONFIRMED:
-        return STATES.get(found.state, "in an unknown state")
+        return STATES.get(found.state, "in an unknown state") + "".join(": " + reason for reason in found.reasons[:1])
     if not found.pose_valid:
         return "without a pose in metres"
     if now > found.valid_until:
