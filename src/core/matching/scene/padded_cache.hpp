@@ -19,8 +19,9 @@ class PaddedCache {
     const int wanted = (margin + kGrain - 1) / kGrain * kGrain;
     const std::lock_guard<std::mutex> lock(filling_);
     if (valid_ && padded_->margin() >= wanted) return padded_;
-    // Other searches may still read the data with the smaller margin.
-    if (!padded_ || valid_) padded_ = std::make_shared<Padded>();
+    const bool in_use = valid_;  // other searches may still read the data with the smaller margin
+    valid_ = false;              // until filled: memory may run out
+    if (!padded_ || in_use) padded_ = std::make_shared<Padded>();
     padded_->fill(source, wanted);
     valid_ = true;
     return padded_;

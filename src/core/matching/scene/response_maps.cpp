@@ -80,12 +80,13 @@ void ResponseMaps::fill(const cv::Mat& edges, int margin) {
 /// Keeps the padding if it suffices, because it does not change between images.
 void ResponseMaps::make_room(cv::Size size, int margin) {
   if (size == size_ && margin <= margin_) return;
-  size_ = size;
-  margin_ = margin;
+  size_ = {};  // until there is room: memory may run out
   stride_ = (size.width + 1) / kStep + margin + 1;
   plane_ = stride_ * ((size.height + 1) / kStep + margin + kernels::kResponseRows);
   values_.assign(static_cast<std::size_t>(plane_) * kPhases * kOrientations + kernels::kPositions,
                  kUnseen);
+  size_ = size;
+  margin_ = margin;
 }
 
 }  // namespace mbncc::scene
