@@ -16,7 +16,8 @@ std::optional<evidence::ColourCast> cast_at(const decision::Detection& detection
   const templates::PoseTemplate& object = compared.object->views[detection.view_number].fine;
   const scene::SceneLevel& scene = compared.scene->levels[0];
   templates::SurfaceSample sample;
-  object.surface.sample(scene.around(detection.pose, object.reach()), detection.pose, sample);
+  object.surface.sample(scene.around(detection.pose, detection.scale * object.reach()),
+                        detection.pose, sample, detection.scale);
   return evidence::local_cast(templates::block_sums(object.surface, sample));
 }
 
@@ -43,7 +44,11 @@ std::optional<evidence::ColourCast> colour_cast(
   std::vector<evidence::ColourCast> casts;
   for (std::size_t i = 0; i < compared.size(); ++i) {
     if (!compared[i].object->coloured || found[i].empty()) continue;
-    const decision::Detection& best = found[i].front();
+    const decision::Detection& best =
+        *std::max_element(found[i].begin(), found[i].end(),
+                          [](const decision::Detection& a, const decision::Detection& b) {
+                            return a.log_odds() < b.log_odds();
+                          });
     if (best.log_odds() < kLikely) continue;
     if (const auto cast = cast_at(best, compared[i])) casts.push_back(*cast);
   }

@@ -13,7 +13,7 @@
 namespace mbncc::search {
 
 /// Estimate from the best detection of each object compared in colour; `found` has one entry per
-/// comparison, best first. None if there is no cast, or fewer than two likely detections agree.
+/// comparison. None if there is no cast, or fewer than two likely detections agree.
 std::optional<evidence::ColourCast> colour_cast(
     const std::vector<prepared::Comparison>& compared,
     const std::vector<std::vector<decision::Detection>>& found);
