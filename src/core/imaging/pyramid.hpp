@@ -24,7 +24,16 @@ inline cv::Point2d to_level(cv::Point2d point, int level) {
   return {(point.x + 0.5) / side - 0.5, (point.y + 0.5) / side - 0.5};
 }
 
-/// Inverse of to_level().
+/// The pixels of level `level` that contain pixels of `region` of level 0, which starts at
+/// coordinates of 0 or more.
+inline cv::Rect to_level(const cv::Rect& region, int level) {
+  const int side = 1 << level;
+  const cv::Point low(region.x / side, region.y / side);
+  const cv::Point high((region.br().x + side - 1) / side, (region.br().y + side - 1) / side);
+  return {low, high};
+}
+
+/// Inverse of to_level() of a point.
 inline cv::Point2d from_level(cv::Point2d point, int level) {
   const double side = 1 << level;
   return {(point.x + 0.5) * side - 0.5, (point.y + 0.5) * side - 0.5};

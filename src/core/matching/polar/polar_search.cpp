@@ -88,10 +88,9 @@ std::vector<PolarPose> PolarSearch::find(const std::vector<cv::Mat>& levels,
   if (static_cast<int>(levels.size()) <= top)
     throw std::invalid_argument("the image's pyramid has too few levels for this object");
   auto poses = scan(levels[top], top, roi);
-  for (int level = top - 1; level >= 0; --level) {
+  for (int level = top - 1; level >= 0; --level)
     for (auto& pose : poses) pose = refined(levels[level], level, pose);
-    sort_best_first(poses, level == 0 ? kFinal : kCandidates);
-  }
+  sort_best_first(poses, kFinal);
   for (auto& pose : poses) pose = interpolated(levels[0], pose);
   return poses;
 }
@@ -99,10 +98,7 @@ std::vector<PolarPose> PolarSearch::find(const std::vector<cv::Mat>& levels,
 std::vector<PolarPose> PolarSearch::scan(const cv::Mat& grey, int level,
                                          const cv::Rect& roi) const {
   const PolarTemplate& object = templates_[level];
-  const int side = 1 << level;
-  const cv::Rect area = cv::Rect(roi.x / side, roi.y / side, (roi.width + side - 1) / side,
-                                 (roi.height + side - 1) / side) &
-                        cv::Rect({0, 0}, grey.size());
+  const cv::Rect area = imaging::to_level(roi, level) & cv::Rect({0, 0}, grey.size());
   if (area.empty()) return {};
   std::vector<PolarPose> best(area.area());
   cv::Mat values(area.size(), CV_64FC1), highest;

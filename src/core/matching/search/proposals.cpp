@@ -13,26 +13,20 @@ namespace {
 
 constexpr std::size_t kRanked = 8000;  // contour proposals that are ranked by colours
 
-cv::Rect at_level(const cv::Rect& roi, int level) {
-  const int side = 1 << level;
-  const cv::Point low(roi.x / side, roi.y / side);
-  const cv::Point high((roi.br().x + side - 1) / side, (roi.br().y + side - 1) / side);
-  return {low, high};
-}
-
 }  // namespace
 
 const std::vector<templates::Candidate>& Proposals::by_contour(std::size_t most) {
   const int level = view_.contour_bank.level();
   by_contour_ = proposal::contour_search(view_.contour_bank, scene_.levels[level],
-                                         at_level(roi_, level), most, places_);
+                                         imaging::to_level(roi_, level), most, places_);
   return by_contour_;
 }
 
 std::vector<templates::Candidate> Proposals::by_correlation(std::size_t most) const {
   const int level = view_.template_bank.level;
   if (!view_.template_bank.searched()) return {};  // only contours are used
-  const cv::Rect inside = at_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
+  const cv::Rect inside =
+      imaging::to_level(roi_, level) & cv::Rect({0, 0}, scene_.grey[level].size());
   return proposal::coarse_search(
       view_.template_bank, *scene_.padded(level, view_.template_bank.radius + 1), inside, most);
 }
@@ -50,10 +44,11 @@ bool Proposals::foremost_by_contour(const Pose2D& pose, std::size_t count) const
 void Proposals::search_partial_contours() {
   const int level = view_.contour_bank.level();
   next_ = 0;
-  partial_ = ranked_by_colours(
-      view_, scene_,
-      proposal::contour_search(view_.contour_bank, scene_.levels[level], at_level(roi_, level),
-                               kRanked, places_, proposal::OutlinePart::kThreeQuarters));
+  partial_ =
+      ranked_by_colours(view_, scene_,
+                        proposal::contour_search(view_.contour_bank, scene_.levels[level],
+                                                 imaging::to_level(roi_, level), kRanked, places_,
+                                                 proposal::OutlinePart::kThreeQuarters));
 }
 
 std::vector<templates::Candidate> Proposals::next_by_partial_contour(
@@ -62,10 +57,7 @@ std::vector<templates::Candidate> Proposals::next_by_partial_contour(
   for (; others.size() < most && next_ < partial_.size(); ++next_) {
     const templates::Candidate& proposed = partial_[next_];
     const cv::Point2d place = imaging::from_level(proposed.pose, proposed.level).position();
-    if (std::none_of(known.begin(), known.end(), [&](const templates::Candidate& one) {
-          return cv::norm(one.pose.position() - place) < near;
-        }))
-      others.push_back(proposed);
+    if (!templates::is_near(place, known, near)) others.push_back(proposed);
   }
   return others;
 }

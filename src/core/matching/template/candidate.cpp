@@ -9,19 +9,18 @@ namespace {
 
 constexpr double kLikely = 0;  // log-odds
 
-/// Whether one of `others` is nearer than `distance` [px at level].
-bool is_near(const Candidate& candidate, const std::vector<Candidate>& others, double distance) {
-  return std::any_of(others.begin(), others.end(), [&](const Candidate& other) {
-    return cv::norm(candidate.pose.position() - other.pose.position()) < distance;
-  });
-}
-
 bool are_alike(const Pose2D& a, const Pose2D& b, const DuplicateRadius& alike) {
   return std::abs(a.x - b.x) < alike.distance && std::abs(a.y - b.y) < alike.distance &&
          angle_distance(a.theta, b.theta, alike.symmetry) * alike.rim < 1.5 * alike.distance;
 }
 
 }  // namespace
+
+bool is_near(cv::Point2d place, const std::vector<Candidate>& others, double distance) {
+  return std::any_of(others.begin(), others.end(), [&](const Candidate& other) {
+    return cv::norm(place - other.pose.position()) < distance;
+  });
+}
 
 void sort_by_value(std::vector<Candidate>& candidates) {
   std::stable_sort(candidates.begin(), candidates.end(),
@@ -35,7 +34,7 @@ void suppress(std::vector<Candidate>& candidates, const Suppression& suppression
     if (kept.size() >= suppression.most ||
         candidate.value < candidates.front().value - suppression.behind) {
       if (candidate.value < kLikely) break;
-      if (is_near(candidate, kept, suppression.apart)) continue;
+      if (is_near(candidate.pose.position(), kept, suppression.apart)) continue;
     }
     if (std::none_of(kept.begin(), kept.end(), [&](const Candidate& better) {
           return are_alike(candidate.pose, better.pose, suppression.alike);

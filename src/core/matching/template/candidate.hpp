@@ -33,6 +33,9 @@ struct Suppression {
   DuplicateRadius alike = {0, 0};  ///< of duplicates, only the best one is kept
 };
 
+/// Whether one of `others` is nearer to `place` than `distance` [px at level].
+bool is_near(cv::Point2d place, const std::vector<Candidate>& others, double distance);
+
 /// Sorts by value, best first.
 void sort_by_value(std::vector<Candidate>& candidates);
 
