@@ -78,6 +78,9 @@ cv::Point2d centroid(const cv::Mat& map);
 /// 10.1177/1687814017728839). Throws std::invalid_argument if `map` has no pixels.
 Circle excircle(const cv::Mat& map);
 
+/// [px] Distance from `from` to the centre of the map's farthest pixel; 0 for an empty map.
+double farthest_pixel(const cv::Mat& map, cv::Point2d from);
+
 /// Largest circle that contains only map pixels. Throws std::invalid_argument if `map` has no
 /// pixels.
 Circle incircle(const cv::Mat& map);

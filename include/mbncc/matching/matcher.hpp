@@ -2,7 +2,6 @@
 // Finds learned objects in an image: position, rotation angle, score and covariance.
 #pragma once
 
-#include <cstdint>
 #include <map>
 #include <memory>
 #include <opencv2/core.hpp>
@@ -26,7 +25,8 @@ struct SearchRequest {
   double min_score = -1;  ///< negative: the configured one, or the object's own
   int max_instances = 0;  ///< 0: the configured one
   /// Total number of objects if this request is part of a larger search whose objects are searched
-  /// one by one. Effort and scores are then those of a joint search.
+  /// one by one. Search budget and scores are then those of a joint search, without its colour
+  /// prefilters and white balance.
   std::size_t among = 0;
   /// [px] Limits the search to reference points in it, for a caller who knows what lies outside:
   /// see `clutter` and `elsewhere`. Empty: the whole image is searched.

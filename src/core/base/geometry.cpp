@@ -97,6 +97,15 @@ Circle excircle(const cv::Mat& map) {
   return {cv::Point2d(centre), static_cast<double>(radius)};
 }
 
+double farthest_pixel(const cv::Mat& map, cv::Point2d from) {
+  std::vector<cv::Point> pixels;
+  cv::findNonZero(map, pixels);
+  double farthest = 0;
+  for (const auto& pixel : pixels)
+    farthest = std::max(farthest, cv::norm(cv::Point2d(pixel) - from));
+  return farthest;
+}
+
 Circle incircle(const cv::Mat& map) {
   box_of(map);
   cv::Mat padded, distance;

@@ -126,6 +126,25 @@ void compare_in_place(const std::vector<prepared::Comparison>& comparisons,
     findings.found[i].insert(findings.found[i].end(), more[i].begin(), more[i].end());
 }
 
+/// Without a comparison with the objects that were skipped for lack of time, no match is graspable.
+void doubt_without_comparison(const ObjectList& objects, const SearchState& findings,
+                              const SearchConfig& config, std::vector<Match>& matches) {
+  const auto skipped = std::find(findings.searched.begin(), findings.searched.end(), 0);
+  if (skipped == findings.searched.end()) return;
+  const auto& first = *objects[static_cast<std::size_t>(skipped - findings.searched.begin())];
+  for (auto& match : matches) {
+    match.doubts.push_back({false, "not compared with " + first.model->name + ": time budget"});
+    decision::conclude(match, config);
+  }
+}
+
+/// Whether the object lies at another place as well, more likely than not.
+bool is_likely_elsewhere(const Match& match) {
+  return std::any_of(
+      match.competitors.begin(), match.competitors.end(),
+      [&](const Competitor& one) { return one.name == match.name && one.log_odds > 0; });
+}
+
 }  // namespace
 
 struct Matcher::Implementation {
@@ -256,25 +275,6 @@ decision::AcceptanceSettings Matcher::Implementation::acceptance(const SearchReq
           request.part};
 }
 
-/// Without a comparison with the objects that were skipped for lack of time, no match is graspable.
-void doubt_without_comparison(const ObjectList& objects, const SearchState& findings,
-                              const SearchConfig& config, std::vector<Match>& matches) {
-  const auto skipped = std::find(findings.searched.begin(), findings.searched.end(), 0);
-  if (skipped == findings.searched.end()) return;
-  const auto& first = *objects[static_cast<std::size_t>(skipped - findings.searched.begin())];
-  for (auto& match : matches) {
-    match.doubts.push_back({false, "not compared with " + first.model->name + ": time budget"});
-    decision::conclude(match, config);
-  }
-}
-
-/// Whether the object lies at another place as well, more likely than not.
-bool is_likely_elsewhere(const Match& match) {
-  return std::any_of(
-      match.competitors.begin(), match.competitors.end(),
-      [&](const Competitor& one) { return one.name == match.name && one.log_odds > 0; });
-}
-
 std::vector<std::string> names_at_limit(const std::vector<Match>& matches, int most) {
   std::map<std::string, int> counts;
   std::vector<std::string> names;
@@ -349,7 +349,9 @@ cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) c
     for (const auto& view : object->views) {
       const int level = view.template_bank.level;
       if (!view.template_bank.searched() || level > scene->top_level()) continue;
-      const cv::Mat coarse = proposal::coarse_similarity(view.template_bank, scene->grey[level]);
+      const cv::Mat coarse = proposal::coarse_similarity(
+          view.template_bank, *scene->padded(level, view.template_bank.radius + 1),
+          scene->grey[level].size());
       cv::Mat full;
       cv::resize(coarse, full, best.size(), 0, 0, cv::INTER_LINEAR);
       best = cv::max(best, full);

@@ -6,7 +6,7 @@
 namespace mbncc::numeric {
 namespace {
 
-/// Solution of normal equations: shift, and rotation as an arc [px] at the object's rim.
+/// Normal equations of a shift, and of a rotation as an arc [px] at the object's rim.
 struct Pull3 {
   cv::Matx33d information;
   cv::Vec3d vector;

@@ -6,6 +6,7 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
+#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/tool_fixture.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/scene/scene_image.hpp"

@@ -75,7 +75,7 @@ TEST_F(ContourAlternativeTest, ACandidateIsShiftedOntoTheEdges) {
   const Pose2D anchor = compose(truth_, inverse(view.reference_in_anchor));
   const templates::Candidate start{{anchor.x + 5, anchor.y - 4, anchor.theta}, 0, 0};
   const templates::Candidate shifted =
-      shifted_onto_edges(view.templates[0].contour, scene::SceneLevel(scene_, 0), start);
+      shifted_onto_edges(view.tracked[0].contour, scene::SceneLevel(scene_, 0), start);
   EXPECT_LE(std::abs(shifted.pose.x - anchor.x), 1.01);
   EXPECT_LE(std::abs(shifted.pose.y - anchor.y), 1.01);
   EXPECT_EQ(shifted.pose.theta, anchor.theta);

@@ -11,7 +11,7 @@
 namespace mbncc::decision {
 namespace {
 
-bool same_place(const Detection& a, const Detection& b) {
+bool anchors_are_near(const Detection& a, const Detection& b) {
   return cv::norm(a.pose.position() - b.pose.position()) <
          kSamePlace * std::min(a.view->shape.radius(), b.view->shape.radius());
 }
@@ -24,7 +24,7 @@ std::vector<double> odds_of_places(std::vector<const Detection*> detections) {
   std::vector<const Detection*> places;
   for (const Detection* detection : detections) {
     const bool known = std::any_of(places.begin(), places.end(), [&](const Detection* other) {
-      return same_place(*detection, *other);
+      return anchors_are_near(*detection, *other);
     });
     if (!known) places.push_back(detection);
   }

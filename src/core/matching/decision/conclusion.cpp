@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
+#include "base/number.hpp"
 #include "matching/decision/margins.hpp"
 
 namespace mbncc::decision {
@@ -19,12 +18,6 @@ constexpr double kOtherDetail = 1.5;     // largest PrintComparison::difference_
 constexpr double kMissing = 0.2;         // largest MissingContrast
 constexpr double kContradicts = 0.05;    // [agreement] largest advantage of a nearby place
 constexpr double kConvincing = 4;        // least calibrated log-odds
-
-std::string number(double value, int digits) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << value;
-  return text.str();
-}
 
 /// [px] Standard deviation of the position in the direction in which it is largest: the square root
 /// of the larger eigenvalue of the covariance. NaN if a variance is negative.

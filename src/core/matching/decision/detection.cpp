@@ -51,7 +51,7 @@ std::vector<Detection> resolve_rotations(std::vector<Detection> detections) {
   while (!detections.empty()) {
     const Detection best = detections.front();
     const auto others =
-        std::stable_partition(detections.begin(), detections.end(), [&](const Detection& one) {
+        std::stable_partition(detections.begin() + 1, detections.end(), [&](const Detection& one) {
           return one.odds.without_print() >= best.log_odds() - kComparable &&
                  at_one_place(one, best);
         });

@@ -7,7 +7,6 @@
 namespace mbncc::decision {
 namespace {
 
-constexpr double kOtherAngle = to_radians(10);
 constexpr double kDisplaced = 3;  // [px]
 
 /// Angle [rad] of the object frame, which all views of the object share.
@@ -51,10 +50,6 @@ const Detection* best_competitor(const Detection& detection, const std::vector<D
   return best;
 }
 
-double margin_to(const Detection& detection, const Detection* other) {
-  return other ? std::min(kNoCompetitor, detection.log_odds() - other->log_odds()) : kNoCompetitor;
-}
-
 }  // namespace
 
 double log_odds_against(const Detection& detection, const Detection& other) {
@@ -68,8 +63,8 @@ const Detection* competing_angle(const Detection& detection, const std::vector<D
   });
 }
 
-double angle_margin(const Detection& detection, const std::vector<Detection>& all) {
-  return margin_to(detection, competing_angle(detection, all));
+double margin_to(const Detection& detection, const Detection* other) {
+  return other ? std::min(kNoCompetitor, detection.log_odds() - other->log_odds()) : kNoCompetitor;
 }
 
 double instance_margin(const Detection& detection, const std::vector<Detection>& all,

@@ -13,15 +13,17 @@ namespace mbncc::decision {
 /// [log-odds] Margin if there is no competitor; also the largest margin.
 constexpr double kNoCompetitor = 20;
 
+/// [rad] Poses of one place whose angles differ by more, modulo the symmetry, compete as rotations.
+constexpr double kOtherAngle = to_radians(10);
+
 /// Log-odds of `other` as a competitor of `detection`, see LogOdds::of_competitor().
 double log_odds_against(const Detection& detection, const Detection& other);
 
 /// The best other rotation of the same object at the detection's place; null: none.
 const Detection* competing_angle(const Detection& detection, const std::vector<Detection>& all);
 
-/// Margin to the best other rotation of the same object at the detection's place, negative if that
-/// rotation is better.
-double angle_margin(const Detection& detection, const std::vector<Detection>& all);
+/// Margin to a competing rotation, negative if that is better; kNoCompetitor if null.
+double margin_to(const Detection& detection, const Detection* other);
 
 /// Margin to the best other place of the same object, including accepted instances. `elsewhere`:
 /// see SearchRequest.

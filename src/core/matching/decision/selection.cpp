@@ -2,7 +2,6 @@
 #include "matching/decision/selection.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "matching/decision/clutter.hpp"
@@ -55,7 +54,7 @@ cv::Matx33d moved_to_reference(const cv::Matx33d& covariance, cv::Point2d lever,
 void calibrate(std::vector<Detection>& detections, const AcceptanceSettings& acceptance) {
   for (auto& detection : detections)
     detection.odds.calibration =
-        calibration(detection, angle_margin(detection, detections),
+        calibration(detection, margin_to(detection, competing_angle(detection, detections)),
                     instance_margin(detection, detections, acceptance.elsewhere));
 }
 
@@ -86,9 +85,9 @@ Match to_match(const Detection& detection, const std::vector<Detection>& all,
   for (const Detection* other : {competing_place(detection, all, accepted, config.max_overlap),
                                  competing_object(detection, all)})
     if (other) match.competitors.push_back(competitor_of(match, detection, *other));
-  match.margin_angle = angle_margin(detection, all);
-  if (const Detection* turned = competing_angle(detection, all))
-    match.other_angle = object_pose(*turned).theta;
+  const Detection* turned = competing_angle(detection, all);
+  match.margin_angle = margin_to(detection, turned);
+  if (turned) match.other_angle = object_pose(*turned).theta;
   match.visible = detection.visible;
   match.symmetry = view.symmetry;
   match.to_symmetry_centre =

@@ -109,24 +109,6 @@ cv::Point2f unexplained(const cv::Point2f& off, const cv::Point2f& ground_off) {
 
 }  // namespace
 
-cv::Vec3f background_colour(const templates::ContourTemplate& contour,
-                            const scene::SceneLevel& scene, const Pose2D& pose, double scale) {
-  constexpr float kBeside = 4;  // [px]
-  const scene::PreparedPixels pixels = scene.around(pose, scale * contour.radius());
-  Planes colours;
-  for (std::size_t k = 0; k < contour.size(); ++k) {
-    const cv::Point2d at = transform(pose, {scale * contour.x[k] + kBeside * contour.normal_x[k],
-                                            scale * contour.y[k] + kBeside * contour.normal_y[k]});
-    const cv::Point pixel(cvRound(at.x), cvRound(at.y));
-    if (!pixel.inside(cv::Rect({0, 0}, pixels.size()))) continue;
-    for (int c = 0; c < kChannels; ++c) colours[c].push_back(pixels.colour.at<cv::Vec3b>(pixel)[c]);
-  }
-  cv::Vec3f ground = cv::Vec3f::all(0);
-  for (int c = 0; c < kChannels && !colours[c].empty(); ++c)
-    ground[c] = numeric::median(colours[c]);
-  return ground;
-}
-
 ColourParts::ColourParts(const templates::SurfaceTemplate& surface,
                          const templates::ContourTemplate& contour, const cv::Vec3f& ground)
     : ground_(ground) {

@@ -12,10 +12,6 @@
 
 namespace mbncc::evidence {
 
-/// Median colour (b, g, r) slightly outside the contour, `scale` times as large, at `pose`.
-cv::Vec3f background_colour(const templates::ContourTemplate& contour,
-                            const scene::SceneLevel& scene, const Pose2D& pose, double scale = 1);
-
 class ColourParts {
  public:
   ColourParts() = default;

@@ -2,7 +2,6 @@
 #include "matching/evidence/mirrored_contour.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "matching/evidence/closest_points.hpp"
 #include "matching/evidence/contour_alignment.hpp"

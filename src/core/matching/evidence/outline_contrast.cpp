@@ -3,26 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "matching/evidence/colour_parts.hpp"
+#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/gain_offset.hpp"
 
 namespace mbncc::evidence {
 namespace {
-
-constexpr double kBeside = 4;  // [px] distance from the contour at which colours are read
-
-/// Colour `distance` [px] outside (inside if negative) point `k` of the contour; none outside the
-/// image.
-std::optional<cv::Vec3f> colour_beside(const templates::ContourTemplate& contour, std::size_t k,
-                                       double distance, const cv::Mat& colours, const Pose2D& pose,
-                                       double scale) {
-  const cv::Point at = transform(pose, {scale * contour.x[k] + distance * contour.normal_x[k],
-                                        scale * contour.y[k] + distance * contour.normal_y[k]});
-  if (!at.inside(cv::Rect({0, 0}, colours.size()))) return std::nullopt;
-  return cv::Vec3f(colours.at<cv::Vec3b>(at));
-}
 
 float difference(const cv::Vec3f& a, const cv::Vec3f& b) {
   return static_cast<float>(cv::norm(a - b, cv::NORM_INF));

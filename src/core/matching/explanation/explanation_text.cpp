@@ -1,27 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Explanations in sentences and as an image.
+#include "mbncc/matching/explanation.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <opencv2/imgproc.hpp>
 #include <sstream>
 
+#include "base/number.hpp"
 #include "mbncc/drawing.hpp"
-#include "mbncc/matching/explanation.hpp"
 
 namespace mbncc {
 namespace {
 
 using Outcome = Explanation::Outcome;
-
-std::string number(double value, int digits) {
-  const double step = std::pow(10.0, -digits);
-  // No sign if rounded to zero.
-  const double shown = std::abs(value) < step / 2 ? 0 : value;
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(digits) << shown;
-  return text.str();
-}
 
 // Number of decimals: two, or as many as distinguish a value from a threshold that it narrowly
 // misses.

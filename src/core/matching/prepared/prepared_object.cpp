@@ -6,6 +6,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/pyramid.hpp"
+#include "matching/evidence/colours_beside.hpp"
 #include "matching/scene/grey_image.hpp"
 #include "mbncc/matching/symmetry.hpp"
 
@@ -154,7 +155,7 @@ PreparedView::PreparedView(const View& view, Engine engine, double scale)
 PreparedView::PreparedView(const Source& source, Engine engine)
     : ViewFrame{1,
                 reference_in_crop(source.view, source.anchor),
-                mbncc::templates::MapFootprint(source.view.map, source.anchor),
+                templates::MapFootprint(source.view.map, source.anchor),
                 1,
                 {},
                 {}},
@@ -177,24 +178,28 @@ PreparedView::PreparedView(const Source& source, Engine engine)
                                      templates::ContourTemplate(edge, anchor, level, most.contour)};
     };
     rough.push_back(prepare(kRoughPoints));
-    templates.push_back(prepare(kTrackedPoints));
+    tracked.push_back(prepare(kTrackedPoints));
     if (level > 0) continue;
     fine = prepare(kVerifiedPoints);
-    parts = evidence::ColourParts(
-        fine.surface, fine.contour,
-        evidence::background_colour(fine.contour, image, {anchor.x, anchor.y, 0}));
-    ratios = evidence::RatioResidual(fine.surface, shape.area());
-    outline_contrast =
-        evidence::OutlineContrast(fine.contour, image, {anchor.x, anchor.y, 0}, shape.area());
-    interior_edges = evidence::InteriorEdges(image, source.view.map, anchor);
-    print = evidence::PrintComparison(image, source.view.map, anchor);
-    mirrored_contour = evidence::MirroredContour(fine.contour, image, {anchor.x, anchor.y, 0});
     dense = refinement::RefinementTemplate(prepare(kRefinedPoints), continued.whole());
+    prepare_verification(source.view.map, image);
   }
   resized = {resized_templates(-kNearSize, fine), resized_templates(kNearSize, fine)};
   if (engine == Engine::kPolar) polar.emplace(source.view);
   const auto all = outlines(source.view);
   if (!all.empty()) outline = all.front();
+}
+
+/// Prepares what is compared beside `fine`. `lesson` is the learning image at full resolution.
+void PreparedView::prepare_verification(const cv::Mat& map, const scene::SceneLevel& lesson) {
+  const Pose2D learned{anchor.x, anchor.y, 0};
+  parts = evidence::ColourParts(fine.surface, fine.contour,
+                                evidence::background_colour(fine.contour, lesson, learned));
+  ratios = evidence::RatioResidual(fine.surface, shape.area());
+  outline_contrast = evidence::OutlineContrast(fine.contour, lesson, learned, shape.area());
+  interior_edges = evidence::InteriorEdges(lesson, map, anchor);
+  print = evidence::PrintComparison(lesson, map, anchor);
+  mirrored_contour = evidence::MirroredContour(fine.contour, lesson, learned);
 }
 
 PreparedObject::PreparedObject(std::shared_ptr<const ObjectModel> object, Engine engine,

@@ -42,12 +42,12 @@ struct ResizedTemplates {
 };
 
 /// One view, with the templates that the searches need.
-class PreparedView : public mbncc::templates::ViewFrame {
+class PreparedView : public templates::ViewFrame {
  public:
   /// Prepares the view for objects that appear `scale` times as large as learned.
   PreparedView(const View& view, Engine engine, double scale = 1);
 
-  int top_level() const { return static_cast<int>(templates.size()) - 1; }
+  int top_level() const { return static_cast<int>(tracked.size()) - 1; }
 
   cv::Point2d anchor;  ///< [px] in the view's crop
   templates::MapGeometry geometry;
@@ -56,7 +56,7 @@ class PreparedView : public mbncc::templates::ViewFrame {
   proposal::ContourBank contour_bank;
   std::vector<templates::PoseTemplate>
       rough;  ///< per level: for pruning the coarse searches' candidates
-  std::vector<templates::PoseTemplate> templates;  ///< per level, small, for dozens of candidates
+  std::vector<templates::PoseTemplate> tracked;  ///< per level, small, for dozens of candidates
   templates::PoseTemplate fine;                ///< at full resolution, for the last few candidates
   evidence::RatioResidual ratios;              ///< of `fine`
   std::array<ResizedTemplates, 2> resized;     ///< `fine`, smaller and larger
@@ -72,6 +72,7 @@ class PreparedView : public mbncc::templates::ViewFrame {
  private:
   struct Source;
   PreparedView(const Source& source, Engine engine);
+  void prepare_verification(const cv::Mat& map, const scene::SceneLevel& lesson);
 };
 
 struct PreparedObject {

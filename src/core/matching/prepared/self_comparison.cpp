@@ -83,10 +83,7 @@ double passed_by(double width) {
 }  // namespace
 
 CentredMap::CentredMap(const View& view) : centre_(centroid(view.map)) {
-  std::vector<cv::Point> pixels;
-  cv::findNonZero(view.map, pixels);
-  for (const auto& pixel : pixels)
-    radius_ = std::max(radius_, cv::norm(cv::Point2d(pixel) - centre_));
+  radius_ = std::max(radius_, farthest_pixel(view.map, centre_));
   scale_ = std::min(1.0, kRadius / radius_);
   const int half = static_cast<int>(std::ceil(scale_ * radius_)) + kMargin;
   map_ = cv::Mat(2 * half + 1, 2 * half + 1, CV_8UC1);

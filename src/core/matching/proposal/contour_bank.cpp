@@ -57,9 +57,7 @@ int coarse_level(double diameter, double width) {
 ContourBank::ContourBank(const templates::MapGeometry& map, cv::Point2d anchor) {
   const templates::ContourTemplate whole(templates::ContourTemplate::edge_of(map, 0), anchor, 0,
                                          4000);
-  double reach = 1;
-  for (std::size_t i = 0; i < whole.size(); ++i)
-    reach = std::max<double>(reach, std::hypot(whole.x[i], whole.y[i]));
+  const double reach = std::max(1.0, whole.radius());
   level_ = coarse_level(2 * reach, map.mean_width());
   const templates::ContourTemplate contour(templates::ContourTemplate::edge_of(map, level_), anchor,
                                            level_, kPoints);

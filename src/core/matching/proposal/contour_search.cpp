@@ -2,7 +2,6 @@
 #include "matching/proposal/contour_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <opencv2/core.hpp>
 #include <utility>
@@ -59,8 +58,7 @@ class ContourSearch {
 
   std::vector<templates::Candidate> run(std::size_t most) {
     auto least = static_cast<std::int16_t>(std::max(1.0, kMinResponse * scale_));
-    thread_local std::vector<ResponsePeak> peaks;
-    peaks.clear();
+    std::vector<ResponsePeak> peaks;
     bool before = false;
     for (int y = 0; y < wanted_.rows; y += kBand) {
       const bool wanted = cv::countNonZero(wanted_.rowRange(y, y + kBand)) > 0;

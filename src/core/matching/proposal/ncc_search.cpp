@@ -176,10 +176,9 @@ std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
   return CoarseSearch(bank, image, roi).run(most);
 }
 
-cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey) {
-  imaging::PaddedImage image;
-  image.fill(grey, bank.radius + 1);
-  return CoarseSearch(bank, image, {{0, 0}, grey.size()}).correlate(0).clone();
+cv::Mat coarse_similarity(const TemplateBank& bank, const imaging::PaddedImage& image,
+                          cv::Size size) {
+  return CoarseSearch(bank, image, {{0, 0}, size}).correlate(0).clone();
 }
 
 }  // namespace mbncc::proposal

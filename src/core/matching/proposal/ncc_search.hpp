@@ -18,8 +18,9 @@ std::vector<templates::Candidate> coarse_search(const TemplateBank& bank,
                                                 const imaging::PaddedImage& image,
                                                 const cv::Rect& roi, std::size_t most);
 
-/// CV_32FC1 of grey's size: the largest similarity over all rotations at each position; negative
-/// values are not computed. `grey` is the bank's level, CV_8UC1.
-cv::Mat coarse_similarity(const TemplateBank& bank, const cv::Mat& grey);
+/// CV_32FC1 of `size`, that of the level: the largest similarity over all rotations at each
+/// position; negative values are not computed. `image`: see coarse_search().
+cv::Mat coarse_similarity(const TemplateBank& bank, const imaging::PaddedImage& image,
+                          cv::Size size);
 
 }  // namespace mbncc::proposal

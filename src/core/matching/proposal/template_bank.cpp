@@ -125,15 +125,6 @@ RotatedKernel rotated_kernel(const Source& source, double angle, int radius) {
   return kernel;
 }
 
-double reach(const cv::Mat& map, cv::Point2d anchor) {
-  std::vector<cv::Point> pixels;
-  cv::findNonZero(map, pixels);
-  double farthest = 0;
-  for (const auto& pixel : pixels)
-    farthest = std::max(farthest, cv::norm(cv::Point2d(pixel) - anchor));
-  return farthest;
-}
-
 int fewest_pixels(const Source& source, int radius) {
   constexpr int kTrials = 6;
   int fewest = std::numeric_limits<int>::max();
@@ -171,7 +162,7 @@ numeric::Lazy<std::vector<RotatedKernel>> turned_by(RotatedKernel (*turn)(const 
 }  // namespace
 
 TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2d anchor) {
-  const double farthest = reach(map, anchor);
+  const double farthest = farthest_pixel(map, anchor);
   TemplateBank bank;
   Source source;
   for (bank.level = kTopLevel; bank.level >= 0; --bank.level) {
@@ -190,7 +181,7 @@ TemplateBank rotated_kernels(const cv::Mat& grey, const cv::Mat& map, cv::Point2
 TemplateBank turned_maps(const cv::Mat& map, cv::Point2d anchor, int level, int count) {
   TemplateBank bank;
   bank.level = level;
-  bank.radius = static_cast<int>(std::ceil(reach(map, anchor) / (1 << level))) + 1;
+  bank.radius = static_cast<int>(std::ceil(farthest_pixel(map, anchor) / (1 << level))) + 1;
   const Source source = turning_source(map, map, anchor, level);
   bank.kernels = turned_by(turned_map, source, bank.radius, count);
   return bank;

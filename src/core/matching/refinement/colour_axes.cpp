@@ -5,20 +5,13 @@
 #include <cmath>
 #include <numeric>
 
+#include "matching/refinement/row_equations.hpp"
 #include "simd/lanes.hpp"
 
 namespace mbncc::refinement {
 namespace {
 
 constexpr int kChannels = templates::SurfaceTemplate::kChannels;
-
-/// Elementwise product, valid until the next call.
-const std::vector<float>& multiplied(const std::vector<float>& a, const float* b) {
-  thread_local std::vector<float> products;
-  products.resize(a.size());
-  for (std::size_t i = 0; i < a.size(); ++i) products[i] = a[i] * b[i];
-  return products;
-}
 
 /// Scales to unit length; nearly zero vectors become zero.
 void normalise(std::vector<float>& row) {
@@ -109,7 +102,7 @@ double ColourAxes::noise(const std::array<std::vector<float>, kAxes>& remainders
                          const std::vector<float>& weights, double gain) const {
   double noise = 0;
   for (int axis = kBrightness + 1; axis < kAxes; ++axis) {
-    const auto& seen = multiplied(weights, axes_[axis].shown.data());
+    const auto seen = multiplied(weights, axes_[axis].shown.data());
     const double energy = kernels::product(seen, axes_[axis].shown.data());
     noise += energy - kernels::product(seen, remainders[axis].data()) / gain;
   }
@@ -125,22 +118,7 @@ double ColourAxes::reliability(int axis, double noise) const {
 
 numeric::NormalEquations ColourAxes::pull(int axis, const std::vector<float>& remainder,
                                           const std::vector<float>& weights) const {
-  const auto& slopes = axes_[axis].slopes;
-  const std::size_t stride = weights.size();
-  const auto along_slopes = [&](const std::vector<float>& values) {
-    std::array<float, numeric::kMotionParts> products;
-    kernels::dots(slopes.data(), stride, numeric::kMotionParts, values.data(),
-                  static_cast<int>(stride), products.data());
-    return products;
-  };
-  numeric::NormalEquations pull;
-  const auto vector = along_slopes(multiplied(weights, remainder.data()));
-  for (int j = 0; j < numeric::kMotionParts; ++j) {
-    pull.vector[j] = vector[j];
-    const auto row = along_slopes(multiplied(weights, &slopes[j * stride]));
-    for (int k = 0; k < numeric::kMotionParts; ++k) pull.information(j, k) = row[k];
-  }
-  return pull;
+  return equations_of(axes_[axis].slopes, weights, multiplied(weights, remainder.data()));
 }
 
 }  // namespace mbncc::refinement

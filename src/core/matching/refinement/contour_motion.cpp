@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "simd/lanes.hpp"
+#include "matching/refinement/row_equations.hpp"
 
 namespace mbncc::refinement {
 
@@ -19,23 +19,9 @@ ContourMotion::ContourMotion(const templates::ContourTemplate& contour)
 }
 
 numeric::NormalEquations ContourMotion::pull(const templates::ContourSample& sample) const {
-  const auto along_rows = [&](const std::vector<float>& values) {
-    std::array<float, numeric::kMotionParts> products;
-    kernels::dots(rows_.data(), padded_, numeric::kMotionParts, values.data(),
-                  static_cast<int>(padded_), products.data());
-    return products;
-  };
-  numeric::NormalEquations pull;
-  std::vector<float> weighted(padded_);
-  for (int j = 0; j < numeric::kMotionParts; ++j) {
-    for (std::size_t i = 0; i < padded_; ++i) weighted[i] = rows_[j * padded_ + i] * sample.pull[i];
-    const auto row = along_rows(weighted);
-    for (int k = 0; k < numeric::kMotionParts; ++k) pull.information(j, k) = row[k];
-  }
-  const auto moments = along_rows(sample.moment);
-  // The template moves opposite to the moments.
-  for (int j = 0; j < numeric::kMotionParts; ++j) pull.vector[j] = -moments[j];
-  return pull;
+  numeric::NormalEquations equations = equations_of(rows_, sample.pull, sample.moment);
+  equations.vector = -equations.vector;  // the template moves opposite to the moments
+  return equations;
 }
 
 }  // namespace mbncc::refinement

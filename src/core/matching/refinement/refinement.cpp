@@ -58,11 +58,6 @@ class Refiner {
     SurfaceResiduals remainders;
   };
 
-  static Samples& samples() {
-    thread_local Samples samples;
-    return samples;
-  }
-
   double radius() const { return object_.object.surface.radius(); }
 
   /// Iterates until the steps are small. False if too little is visible.
@@ -148,7 +143,7 @@ class Refiner {
   const scene::SceneLevel& scene_;
   Pose2D start_, pose_;
   double first_scale_, scale_, scale_deviation_ = kFixedScale;
-  Samples& samples_ = samples();
+  Samples samples_;
   numeric::NormalEquations pull_, edges_;  // at the last linearisation
   double contrast_ = 1;                    // of the image relative to the template
   double between_cue_variance_ = 0;        // [px^2] random-effects variance of the cues

@@ -16,7 +16,7 @@ class ResponseMaps {
   static constexpr int kStep = 2;  ///< [px] between positions: responses are spread by one pixel
 
   /// `edges`: see smooth_and_find_edges(). `margin` [px] must be even. Reuses the memory of the
-  /// last call, and keeps its margin if that was larger.
+  /// last call, and keeps its margin if the size is the same and the margin was larger.
   void fill(const cv::Mat& edges, int margin);
 
   int margin() const { return margin_; }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "imaging/rectangles.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/search/search_budget.hpp"
 
@@ -16,8 +17,7 @@ cv::Rect anchor_region(const cv::Rect& part, const prepared::PreparedView& view,
   const cv::Rect image({0, 0}, size);
   if (part.empty()) return image;
   const int lever = cvCeil(kLargest * cv::norm(view.reference_in_anchor.position()));
-  return cv::Rect(part.x - lever, part.y - lever, part.width + 2 * lever, part.height + 2 * lever) &
-         image;
+  return imaging::grown(part, lever) & image;
 }
 
 std::vector<decision::Detection> search_views(const prepared::PreparedObject& object,
@@ -33,8 +33,8 @@ std::vector<decision::Detection> search_views(const prepared::PreparedObject& ob
 }
 
 /// Number of places in `part` (empty: the whole image) with a likely detection.
-std::size_t likely_places(const std::vector<decision::Detection>& detections,
-                          const cv::Rect& part) {
+std::size_t count_likely_places(const std::vector<decision::Detection>& detections,
+                                const cv::Rect& part) {
   std::vector<const decision::Detection*> places;
   for (const auto& one : detections)
     if (one.log_odds() >= kMinFoundOdds && decision::reference_within(one, part) &&
@@ -52,8 +52,8 @@ std::vector<decision::Detection> search_object(const prepared::PreparedObject& o
                                                SearchMode mode) {
   const auto found = search_views(object, scene, part, mode);
   // The few candidates of a reduced search do not suffice for many instances.
-  const bool is_complete =
-      !is_reduced(mode) || object.views.front().polar || likely_places(found, part) < kManyFound;
+  const bool is_complete = !is_reduced(mode) || object.views.front().polar ||
+                           count_likely_places(found, part) < kManyFound;
   return is_complete ? found : search_views(object, scene, part, SearchMode::kThorough);
 }
 

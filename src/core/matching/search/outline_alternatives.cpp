@@ -11,8 +11,8 @@
 namespace mbncc::search {
 namespace {
 
-double log_odds(const ViewInImage& found, const templates::PoseTemplate& object,
-                const Pose2D& pose) {
+double odds_at(const ViewInImage& found, const templates::PoseTemplate& object,
+               const Pose2D& pose) {
   return evidence::log_odds(evidence::gather_evidence(object, found.level(), pose, found.scale),
                             found.view.shape.area());
 }
@@ -23,7 +23,7 @@ bool is_comparable(const ViewInImage& found, const Pose2D& pose) {
   const templates::PoseTemplate& object = found.view.fine;
   templates::PoseTemplate mirrored = object;
   mirrored.mirror();
-  return !(log_odds(found, object, found.pose) - log_odds(found, mirrored, pose) >
+  return !(odds_at(found, object, found.pose) - odds_at(found, mirrored, pose) >
            decision::kComparable);
 }
 

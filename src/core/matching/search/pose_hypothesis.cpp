@@ -37,8 +37,8 @@ PoseHypothesis aligned_from(const prepared::PreparedView& view,
 }
 
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                           const Pose2D& pose) {
-  const auto evidence = evidence::gather_evidence(view.fine, scene.levels[0], pose);
+                           const Pose2D& pose, double scale) {
+  const auto evidence = evidence::gather_evidence(view.fine, scene.levels[0], pose, scale);
   return {pose, evidence, evidence::log_odds(evidence, view.shape.area())};
 }
 

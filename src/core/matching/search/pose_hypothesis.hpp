@@ -31,7 +31,7 @@ PoseHypothesis aligned_from(const prepared::PreparedView& view,
 
 /// The evidence for a pose without alignment.
 PoseHypothesis score_as_is(const prepared::PreparedView& view, const scene::SceneImage& scene,
-                           const Pose2D& pose);
+                           const Pose2D& pose, double scale = 1);
 
 /// The better of two poses at one place, by light-independent features only.
 PoseHypothesis better_rotation(const PoseHypothesis& a, const PoseHypothesis& b);

@@ -50,7 +50,7 @@ class PyramidTracker {
     score(view_.rough[level], 0, candidates);
     templates::suppress(candidates, {budget_.judged});
     templates::drop_below(kThresholds.roughly, candidates);
-    score(view_.templates[level], 0, candidates);
+    score(view_.tracked[level], 0, candidates);
     templates::suppress(candidates, {budget_.entering, kPruningMargin});
     templates::drop_below(kThresholds.entering, candidates);
   }
@@ -80,7 +80,7 @@ class PyramidTracker {
   }
 
   void align(int level, int iterations, std::vector<templates::Candidate>& candidates) const {
-    score(view_.templates[level], iterations, candidates);
+    score(view_.tracked[level], iterations, candidates);
     const std::size_t kept = budget_.kept * most_at(level);
     templates::suppress(candidates, {kept, kPruningMargin, apart_at(level),
                                      alike_at(level, level == 0 ? 1.5 : 1.0)});

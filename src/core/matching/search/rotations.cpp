@@ -37,7 +37,7 @@ std::vector<templates::Candidate> rotation_peaks(const templates::PoseTemplate& 
 /// itself best. This may move the anchor farther than the shifts reach.
 templates::Candidate half_turned(const prepared::PreparedView& view,
                                  const templates::Candidate& place) {
-  const templates::SurfaceTemplate& surface = view.templates[0].surface;
+  const templates::SurfaceTemplate& surface = view.tracked[0].surface;
   const auto mean = [&](const std::vector<float>& values) {
     return std::accumulate(values.begin(), values.begin() + surface.size(), 0.0) /
            static_cast<double>(surface.size());
@@ -53,7 +53,7 @@ std::vector<templates::Candidate> shifted_onto_edges(const prepared::PreparedVie
   constexpr std::size_t kMost = 6;
   if (peaks.size() > kMost) peaks.resize(kMost);
   for (auto& peak : peaks)
-    peak = evidence::shifted_onto_edges(view.templates[0].contour, scene.levels[0], peak);
+    peak = evidence::shifted_onto_edges(view.tracked[0].contour, scene.levels[0], peak);
   templates::sort_by_value(peaks);
   return peaks;
 }
@@ -67,7 +67,7 @@ std::vector<templates::Candidate> reached_from(const prepared::PreparedView& vie
   if (starts.size() > most) starts.resize(most);
   for (auto& start : starts) {
     const PoseHypothesis reached =
-        aligned_from(view, view.templates[0], scene.levels[0], start.pose, kIterations);
+        aligned_from(view, view.tracked[0], scene.levels[0], start.pose, kIterations);
     start = {reached.pose, 0, reached.odds};
   }
   return starts;
@@ -94,7 +94,7 @@ std::vector<templates::Candidate> shifts_at(const prepared::PreparedView& view,
                                             const templates::Candidate& place) {
   constexpr double kLong = 4, kStep = 2, kNear = 6;  // [1], [px], [px]
   constexpr std::size_t kMost = 2;
-  const cv::Point2d axis = rotate(long_axis(view.templates[0].surface, kLong), place.pose.theta);
+  const cv::Point2d axis = rotate(long_axis(view.tracked[0].surface, kLong), place.pose.theta);
   if (axis == cv::Point2d(0, 0)) return {};
   const int reach = static_cast<int>(0.5 * view.shape.radius() / kStep);
   std::vector<templates::Candidate> shifted, peaks;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 #include "matching/search/outline_alternatives.hpp"
@@ -42,9 +43,7 @@ struct RefinedPose {
 RefinedPose with_odds(const prepared::PreparedView& view, const scene::SceneImage& scene,
                       const PoseHypothesis& found, const refinement::Refined& place) {
   if (place.scale == 1) return {place, found.odds};
-  const evidence::Evidence evidence =
-      evidence::gather_evidence(view.fine, scene.levels[0], place.pose, place.scale);
-  return {place, std::max(found.odds, evidence::log_odds(evidence, view.shape.area()))};
+  return {place, std::max(found.odds, score_as_is(view, scene, place.pose, place.scale).odds)};
 }
 
 /// A pose at the size that fits best.
@@ -96,7 +95,7 @@ refinement::Refined refined(const prepared::PreparedView& view, const scene::Sce
 double odds_of_rotation(const prepared::PreparedView& view, const scene::SceneLevel& scene,
                         const PoseHypothesis& found) {
   constexpr double kNone = -1000;
-  thread_local templates::SurfaceSample sample;
+  templates::SurfaceSample sample;
   if (found.odds <= kReportable - decision::kComparable) return kNone;
   const templates::SurfaceTemplate& surface = view.fine.surface;
   surface.sample(scene.around(found.pose, view.fine.reach()), found.pose, sample);
@@ -132,7 +131,7 @@ evidence::PrintDifference compare_surface(const prepared::PreparedView& view,
                                           const scene::SceneLevel& scene, double odds,
                                           const refinement::Refined& place,
                                           decision::Detection& detection) {
-  thread_local templates::PoseSample sample;
+  templates::PoseSample sample;
   sample.read(view.fine, scene, place.pose, 0, place.scale);
   detection.colour_difference =
       odds <= kMinOddsToRefine
@@ -254,7 +253,7 @@ void examine(const prepared::PreparedView& view, const scene::SceneImage& scene,
   const templates::ContourTemplate& contour = view.fine.contour;
   const Pose2D& pose = detection.pose;
   const double scale = detection.scale;
-  thread_local templates::PoseSample sample;
+  templates::PoseSample sample;
   sample.read(view.fine, level, pose, 0, scale);
   detection.edge_difference =
       view.interior_edges.difference(level, contour, sample.contour, pose, scale);

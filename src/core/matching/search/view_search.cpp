@@ -2,10 +2,10 @@
 #include "matching/search/view_search.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "matching/decision/clutter.hpp"
 #include "matching/decision/clutter_penalty.hpp"
+#include "matching/decision/margins.hpp"
 #include "matching/search/pose_hypothesis.hpp"
 #include "matching/search/proposals.hpp"
 #include "matching/search/pyramid_tracking.hpp"
@@ -19,7 +19,6 @@ namespace {
 constexpr std::size_t kFinal = 3;   // best places whose other angles are tried, ...
 constexpr double kLikely = 0;       // ... and all others with at least these log-odds
 constexpr double kSamePose = 1e-6;  // [px]
-constexpr double kOtherAngle = to_radians(10.);
 
 /// With a colour prefilter, the places of the view's colours; otherwise everywhere.
 proposal::SearchMask places_for(const prepared::PreparedView& view, const scene::SceneImage& scene,
@@ -34,10 +33,7 @@ std::vector<templates::Candidate> best_places(const std::vector<templates::Candi
                                               double apart, std::size_t most) {
   std::vector<templates::Candidate> places;
   for (const auto& candidate : candidates) {
-    const bool known = std::any_of(places.begin(), places.end(), [&](const auto& other) {
-      return cv::norm(candidate.pose.position() - other.pose.position()) < apart;
-    });
-    if (!known) places.push_back(candidate);
+    if (!templates::is_near(candidate.pose.position(), places, apart)) places.push_back(candidate);
     if (places.size() == most) break;
   }
   return places;
@@ -56,7 +52,7 @@ class ViewSearch {
         proposals_(view, scene, roi, places_for(view, scene, mode)) {}
 
   std::vector<decision::Detection> run() {
-    if (view_.polar) return judge_polar();
+    if (view_.polar) return verify_polar();
     std::vector<templates::Candidate> candidates =
         track_down(view_, scene_, first_, proposals_.by_contour(first_.contour_proposals));
     if (proposals_.everywhere() && !is_certain(candidates))
@@ -141,7 +137,7 @@ class ViewSearch {
       const auto rival =
           std::find_if(turned.begin(), turned.end(), [&](const templates::Candidate& other) {
             return angle_distance(other.pose.theta, places[i].pose.theta, view_.symmetry) >
-                   kOtherAngle;
+                   decision::kOtherAngle;
           });
       const auto shifted = shifts_at(view_, scene_, places[i]);
       needed.insert(needed.end(), shifted.begin(), shifted.end());
@@ -154,7 +150,7 @@ class ViewSearch {
   }
 
   /// Verifies the poses of the paper's search without aligning them.
-  std::vector<decision::Detection> judge_polar() const {
+  std::vector<decision::Detection> verify_polar() const {
     std::vector<PoseHypothesis> found;
     for (const auto& one : view_.polar->find(scene_.grey, roi_))
       found.push_back(score_as_is(view_, scene_, one.pose));

@@ -22,7 +22,7 @@ inline bool is_reduced(SearchMode mode) {
   return mode == SearchMode::kReduced || mode == SearchMode::kColourPrefiltered;
 }
 
-/// Candidates of `view` whose anchors lie in `roi` [px] and `places`, refined to full resolution,
+/// Candidates of `view` whose anchors lie in `roi` [px], refined to full resolution,
 /// best first. Several may describe one place, because other angles are needed for the margin.
 std::vector<decision::Detection> search_view(const prepared::PreparedObject& object,
                                              const prepared::PreparedView& view,

@@ -19,7 +19,7 @@ struct BlockSums {
   Channels product{};                        ///< template times image
 };
 
-/// Sums of each block; there are at most kMostBlocks.
+/// Sums of each block, see SamplePoints.
 std::vector<BlockSums> block_sums(const SurfaceTemplate& surface, const SurfaceSample& sample);
 
 }  // namespace mbncc::templates

@@ -115,22 +115,18 @@ double contour_found_beside(const ContourTemplate& contour, const ContourSample&
   return seen > 0 ? found / seen : 0;
 }
 
-cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample) {
-  float p[kProducts];
-  kernels::dots(contour.products.data(), contour.x.size(), kProducts, sample.pull.data(),
-                static_cast<int>(contour.x.size()), p);
-  return {p[0], p[1], p[3], p[1], p[2], p[4], p[3], p[4], p[5]};
-}
-
 ContourPull contour_pull(const ContourTemplate& contour, const ContourSample& sample) {
   // Decrease of a response with the squared distance from its edge, for a blur of about one pixel.
   constexpr double kCurvature = 0.15;
-  float along[kMotions];
-  kernels::dots(contour.motion.data(), contour.x.size(), kMotions, sample.moment.data(),
-                static_cast<int>(contour.x.size()), along);
+  const auto points = static_cast<int>(contour.x.size());
+  float along[kMotions], p[kProducts];
+  kernels::dots(contour.motion.data(), contour.x.size(), kMotions, sample.moment.data(), points,
+                along);
+  kernels::dots(contour.products.data(), contour.x.size(), kProducts, sample.pull.data(), points,
+                p);
   const double weight = 2 * kCurvature / static_cast<double>(contour.size());
   ContourPull pull;
-  pull.hessian = weight * contour_products(contour, sample);
+  pull.hessian = weight * cv::Matx33d(p[0], p[1], p[3], p[1], p[2], p[4], p[3], p[4], p[5]);
   pull.gradient = -weight * cv::Vec3d(along[0], along[1], along[2]);
   return pull;
 }

@@ -81,10 +81,6 @@ double contour_found(const ContourTemplate& contour, const ContourSample& sample
 double contour_found_beside(const ContourTemplate& contour, const ContourSample& sample,
                             cv::Point2f at);
 
-/// Products of the Jacobians of the found edges with respect to (dx, dy, dtheta), summed over the
-/// points with their responses as weights.
-cv::Matx33d contour_products(const ContourTemplate& contour, const ContourSample& sample);
-
 /// Normal equations of the small motion (dx, dy, dtheta) of the contour that aligns it with the
 /// found edges. Motion and equations are in the template's frame (the inverse of the pose's
 /// motion).

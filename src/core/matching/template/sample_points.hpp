@@ -15,12 +15,10 @@ struct SurfacePoint {
   cv::Point2f inward;  ///< unit, away from the edge
 };
 
-/// Largest number of blocks: compact parts of equal size that a surface is split into.
-constexpr std::size_t kMostBlocks = 8;
-
 struct SamplePoints {
   std::vector<SurfacePoint> points;
-  std::vector<int> block_ends;  ///< end of each block in `points`; at most kMostBlocks
+  /// End in `points` of each block: compact parts of equal size, at most 8.
+  std::vector<int> block_ends;
 };
 
 /// At most `most` points of a map of `size`, spread evenly: away from the edge, where image

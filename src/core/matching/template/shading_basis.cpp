@@ -1,31 +1,33 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "matching/template/shading_basis.hpp"
 
+#include <array>
 #include <cmath>
+#include <utility>
 
 #include "simd/lanes.hpp"
 
 namespace mbncc::templates {
 namespace {
 
-/// Function `k` at a point whose position, in radii, is (u, v). The most important come first:
+/// All functions at a point whose position, in radii, is (u, v). The most important come first:
 /// small surfaces have only some of them.
-float shading(int k, float u, float v, const SurfacePoint& point) {
+std::array<float, ShadingBasis::kMostRows> functions_at(float u, float v,
+                                                        const SurfacePoint& point) {
   const float rim = std::exp(-point.depth / 1.5f), bevel = std::exp(-point.depth / 4.f);
   const cv::Point2f inward = point.inward;
-  const float functions[ShadingBasis::kMostRows] = {1,
-                                                    u,
-                                                    v,
-                                                    bevel * inward.x,
-                                                    bevel * inward.y,
-                                                    bevel,
-                                                    rim * inward.x,
-                                                    rim * inward.y,
-                                                    rim,
-                                                    u * u,
-                                                    u * v,
-                                                    v * v};
-  return functions[k];
+  return {1,
+          u,
+          v,
+          bevel * inward.x,
+          bevel * inward.y,
+          bevel,
+          rim * inward.x,
+          rim * inward.y,
+          rim,
+          u * u,
+          u * v,
+          v * v};
 }
 
 }  // namespace
@@ -33,14 +35,14 @@ float shading(int k, float u, float v, const SurfacePoint& point) {
 ShadingBasis::ShadingBasis(const std::vector<SurfacePoint>& points, const std::vector<float>& x,
                            const std::vector<float>& y, double radius)
     : padded_(x.size()) {
-  const int wanted = points.size() >= 150 ? kMostRows : points.size() >= 60 ? 6 : 3;
-  for (int k = 0; k < wanted; ++k) {
-    std::vector<float> values(padded_, 0.f);
-    for (std::size_t i = 0; i < points.size(); ++i)
-      values[i] = shading(k, x[i] / static_cast<float>(radius), y[i] / static_cast<float>(radius),
-                          points[i]);
-    add(std::move(values));
+  const std::size_t wanted = points.size() >= 150 ? kMostRows : points.size() >= 60 ? 6 : 3;
+  std::vector<std::vector<float>> rows(wanted, std::vector<float>(padded_, 0.f));
+  const auto unit = static_cast<float>(radius);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const auto functions = functions_at(x[i] / unit, y[i] / unit, points[i]);
+    for (std::size_t k = 0; k < wanted; ++k) rows[k][i] = functions[k];
   }
+  for (auto& row : rows) add(std::move(row));
 }
 
 /// Adds the part of `values` that is orthogonal to the previous rows, normalised, unless it is
