@@ -54,10 +54,16 @@ TEST_F(Limits, ThresholdsChangeAtOnce) {
   matcher.set_objects(models_);
   EXPECT_EQ(matcher.objects(), models_);
   ASSERT_EQ(matcher.find(scene_).matches.size(), 2u);
-  matcher.set_limits(matcher.config().min_score, 1);
+  SearchConfig config;
+  config.max_instances = 1;
+  matcher.configure(config);
   EXPECT_EQ(matcher.find(scene_).matches.size(), 1u);
-  matcher.set_limits(1, 10);
+  config.min_score = 1;
+  config.scale_range = 0.1;
+  matcher.configure(config);
   EXPECT_TRUE(matcher.find(scene_).matches.empty());
+  EXPECT_EQ(matcher.config().scale_range, SearchConfig().scale_range)
+      << "they were prepared for it";
 }
 
 TEST(LowImages, AreReportedAsNotSearchedForALargeObject) {

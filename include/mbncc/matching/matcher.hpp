@@ -93,8 +93,8 @@ class Matcher {
   /// Objects that can be searched.
   std::vector<std::shared_ptr<const ObjectModel>> objects() const;
 
-  /// Changes config().min_score [0..1] and config().max_instances (>= 1).
-  void set_limits(double min_score, int max_instances);
+  /// Changes all settings but `engine` and `scale_range`, for which the objects were prepared.
+  void configure(SearchConfig config);
 
   /// `image` is CV_8UC3 (bgr) or CV_8UC1, at least 16 x 16; otherwise throws
   /// std::invalid_argument. Requested names that are unknown or disabled and the objects of

@@ -335,9 +335,10 @@ std::vector<std::shared_ptr<const ObjectModel>> Matcher::objects() const {
   return models;
 }
 
-void Matcher::set_limits(double min_score, int max_instances) {
-  implementation_->config.min_score = min_score;
-  implementation_->config.max_instances = max_instances;
+void Matcher::configure(SearchConfig config) {
+  config.engine = implementation_->config.engine;
+  config.scale_range = implementation_->config.scale_range;
+  implementation_->config = std::move(config);
 }
 
 cv::Mat Matcher::score_map(const cv::Mat& image, const SearchRequest& request) const {

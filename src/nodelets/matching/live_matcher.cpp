@@ -51,8 +51,9 @@ LiveMatcher::LiveMatcher(const SearchConfig& config, const std::string& library_
       }) {}
 
 Found LiveMatcher::find(const cv::Mat& image, SearchRequest request) const {
-  const std::shared_lock<std::shared_mutex> lock(mutex_);
-  if (!unreadable_.empty()) return nothing_found(request.names);
+  const auto lock = reading();
+  const std::string unreadable = library_.fault();
+  if (!unreadable.empty()) return nothing_found(request.names, unreadable);
   Found found;
   found.library = searched_;
   const auto dropped = drop_unfit(*searched_, matcher_.unsearchable(), image.size(), request.names);
@@ -66,8 +67,9 @@ Found LiveMatcher::find(const cv::Mat& image, SearchRequest request) const {
 
 Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& image,
                          SearchRequest request) const {
-  const std::shared_lock<std::shared_mutex> lock(mutex_);
-  if (!unreadable_.empty()) return nothing_found(request.names);
+  const auto lock = reading();
+  const std::string unreadable = library_.fault();
+  if (!unreadable.empty()) return nothing_found(request.names, unreadable);
   Found found;
   found.library = searched_;
   const std::vector<std::string> asked = request.names;
@@ -81,12 +83,13 @@ Found LiveMatcher::watch(VideoSearch& video, double stamp, const cv::Mat& image,
   return found;
 }
 
-Found LiveMatcher::nothing_found(const std::vector<std::string>& names) const {
+Found LiveMatcher::nothing_found(const std::vector<std::string>& names,
+                                 const std::string& reason) const {
   Found found;
   found.library = searched_;
   for (const auto& object : searched_->objects)
     if (wanted(names, object->name) && object->enabled)
-      found.result.skipped.push_back(object->name + ": " + unreadable_);
+      found.result.skipped.push_back(object->name + ": " + reason);
   return found;
 }
 
@@ -108,49 +111,41 @@ void LiveMatcher::note_searched(const std::vector<std::string>& names) const {
 }
 
 cv::Mat LiveMatcher::score_map(const cv::Mat& image) const {
-  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  const auto lock = reading();
   return matcher_.score_map(image);
 }
 
 bool LiveMatcher::configure(const SearchConfig& config) {
-  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  const auto lock = writing();
   if (same_values(matcher_.config(), config)) return false;
-  matcher_.set_limits(config.min_score, config.max_instances);
-  if (same_values(matcher_.config(), config)) return true;
-  Matcher matcher(config);
-  matcher.set_objects(searched_->objects);
-  matcher_ = std::move(matcher);
+  matcher_.configure(config);
   return true;
 }
 
-void LiveMatcher::refresh(bool always) {
-  try {
-    library_.refresh(always);
-    note_unreadable("");
-  } catch (const std::exception& error) {
-    note_unreadable(std::string("the library cannot be read: ") + error.what());
-    throw;
-  }
-}
-
-void LiveMatcher::note_unreadable(const std::string& reason) {
-  const std::unique_lock<std::shared_mutex> lock(mutex_);
-  unreadable_ = reason;
-}
-
 std::string LiveMatcher::fault() const {
-  const std::shared_lock<std::shared_mutex> lock(mutex_);
+  const std::string unreadable = library_.fault();
+  const auto lock = reading();
   const auto& unsearchable = matcher_.unsearchable();
-  if (!unreadable_.empty() || unsearchable.empty()) return unreadable_;
+  if (!unreadable.empty() || unsearchable.empty()) return unreadable;
   const auto& [name, reason] = *unsearchable.begin();
   const std::size_t more = unsearchable.size() - 1;
   return name + " " + reason + (more > 0 ? "; " + std::to_string(more) + " more" : "");
 }
 
 void LiveMatcher::take_over(const SharedLibrary::Snapshot& snapshot) {
-  const std::unique_lock<std::shared_mutex> lock(mutex_);
+  const auto lock = writing();
   matcher_.set_objects(snapshot->objects);
   searched_ = snapshot;
+}
+
+std::shared_lock<std::shared_mutex> LiveMatcher::reading() const {
+  const std::lock_guard<std::mutex> turn(turn_);
+  return std::shared_lock<std::shared_mutex>(mutex_);
+}
+
+std::unique_lock<std::shared_mutex> LiveMatcher::writing() {
+  const std::lock_guard<std::mutex> turn(turn_);
+  return std::unique_lock<std::shared_mutex>(mutex_);
 }
 
 }  // namespace mbncc::nodelets

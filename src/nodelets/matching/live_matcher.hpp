@@ -27,9 +27,8 @@ class LiveMatcher {
   /// Throws FileError when the library folder cannot be used.
   LiveMatcher(const SearchConfig& config, const std::string& library_path);
 
-  /// The settings apply to every search from now on. Returns true if they differ from the current
-  /// ones. If more than min_score and max_instances changes, the objects are prepared again, which
-  /// takes some milliseconds each.
+  /// The settings apply to every search from now on, see Matcher::configure(). Returns true if they
+  /// differ from the current ones.
   bool configure(const SearchConfig& config);
 
   /// Searches objects learned in images of this size; the others, and those that cannot be
@@ -47,7 +46,7 @@ class LiveMatcher {
 
   /// Checks the library folder for changes; `always`: reads it in any case. Throws FileError; then
   /// find() finds nothing until the folder can be read again.
-  void refresh(bool always);
+  void refresh(bool always) { library_.refresh(always); }
 
   /// Why some or all objects are not searched; "" without a fault.
   std::string fault() const;
@@ -57,8 +56,12 @@ class LiveMatcher {
 
  private:
   void take_over(const SharedLibrary::Snapshot& snapshot);
-  void note_unreadable(const std::string& reason);
-  Found nothing_found(const std::vector<std::string>& names) const;
+  Found nothing_found(const std::vector<std::string>& names, const std::string& reason) const;
+
+  /// Searches overlap, so that a writer might otherwise wait for ever for a moment without any, and
+  /// deleted objects would be found meanwhile. A writer that waits keeps further readers waiting.
+  std::shared_lock<std::shared_mutex> reading() const;
+  std::unique_lock<std::shared_mutex> writing();
 
   void sort_least_recent_first(std::vector<std::string>& names) const;
   void note_searched(const std::vector<std::string>& names) const;
@@ -66,10 +69,10 @@ class LiveMatcher {
   mutable std::mutex searches_mutex_;
   mutable std::map<std::string, std::uint64_t> last_search_;  // last search of each object
   mutable std::uint64_t searches_ = 0;
+  mutable std::mutex turn_;  // held while waiting for mutex_
   mutable std::shared_mutex mutex_;
   Matcher matcher_;
   SharedLibrary::Snapshot searched_;  // the library whose objects matcher_ holds
-  std::string unreadable_;            // why the library cannot be read; "": it can
   SharedLibrary library_;
 };
 

@@ -4,8 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <filesystem>
+#include <future>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 #include "mbncc/error.hpp"
 #include "support/temporary_folder.hpp"
@@ -161,6 +165,24 @@ TEST_F(LiveMatcherTest, AnObjectThatCannotBePreparedDoesNotStopOthers) {
   matcher.refresh(false);
   EXPECT_EQ(matcher.fault(), "");
   EXPECT_TRUE(names(matcher.find(image_, {}).result).empty());
+}
+
+TEST_F(LiveMatcherTest, ADeletedObjectIsNotFoundThoughSearchesOverlap) {
+  store(plate("here", {160, 120}));
+  LiveMatcher matcher({}, folder_.path());
+  std::atomic<bool> ends{false};
+  std::vector<std::future<void>> searches;
+  for (int i = 0; i < 4; ++i)
+    searches.push_back(std::async(std::launch::async, [&] {
+      while (!ends) matcher.find(plate_image({160, 120}), {});
+    }));
+  ObjectLibrary(folder_.path()).remove("here");
+  auto refreshed = std::async(std::launch::async, [&] { matcher.refresh(false); });
+  EXPECT_EQ(refreshed.wait_for(std::chrono::seconds(60)), std::future_status::ready);
+  ends = true;
+  for (auto& search : searches) search.get();
+  refreshed.get();
+  EXPECT_TRUE(matcher.find(plate_image({160, 120}), {}).result.searched.empty());
 }
 
 TEST_F(LiveMatcherTest, FindsNothingWhileTheLibraryCannotBeRead) {
