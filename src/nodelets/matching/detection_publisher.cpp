@@ -43,17 +43,13 @@ bool DetectionPublisher::has_listeners() const {
   return false;
 }
 
-double DetectionPublisher::publish(Detections detections, const cv::Mat& image,
-                                   const ScoreMap& score_map, const Extras& extras) {
-  DetectedObjectArray& array = detections.array;
-  permit_frames(array, ros::Time::now(), extras.tf);
+void DetectionPublisher::publish(DetectedObjectArray& array, bool tf) {
+  permit_frames(array, ros::Time::now(), tf);
   detections_.publish(array);
   poses_.publish(confirmed_poses(array));
   const auto transforms = frames_.transforms_of(array);
   if (!transforms.empty()) broadcaster_.sendTransform(transforms);
   if (markers_.getNumSubscribers() > 0) markers_.publish(to_markers(array));
-  publish_images(array, image, score_map, extras.scores_under_overlay);
-  return array.latency;
 }
 
 void DetectionPublisher::publish_images(const DetectedObjectArray& array, const cv::Mat& image,

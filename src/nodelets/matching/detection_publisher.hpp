@@ -33,15 +33,14 @@ class DetectionPublisher {
   /// subscriber needs it.
   using ScoreMap = std::function<cv::Mat()>;
 
-  struct Extras {
-    bool tf;                    ///< send the frames of confirmed instances, too
-    bool scores_under_overlay;  ///< draw the overlay over the score map
-  };
+  /// Publishes the detections and, with `tf`, the frames of confirmed instances. Objects that have
+  /// become too old during the search are no longer confirmed. Sets the latency.
+  void publish(mbncc_vision::DetectedObjectArray& array, bool tf);
 
-  /// Publishes the detections. Objects that have become too old during the search are no longer
-  /// confirmed. Returns the latency [s].
-  double publish(Detections detections, const cv::Mat& image, const ScoreMap& score_map,
-                 const Extras& extras);
+  /// Publishes what is drawn for display; with `scores_under_overlay`, the overlay over the score
+  /// map.
+  void publish_images(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& image,
+                      const ScoreMap& score_map, bool scores_under_overlay);
 
   /// Publishes an array without objects, of status STALE or SEARCH_FAILED, which invalidates
   /// earlier messages.
@@ -52,9 +51,6 @@ class DetectionPublisher {
   void reset() { frames_.reset(); }
 
  private:
-  void publish_images(const mbncc_vision::DetectedObjectArray& array, const cv::Mat& image,
-                      const ScoreMap& score_map, bool scores_under_overlay);
-
   ros::Publisher detections_, poses_, overlay_, overlay_jpeg_, score_map_, markers_;
   tf2_ros::TransformBroadcaster broadcaster_;
   ObjectFrames frames_;

@@ -54,7 +54,7 @@ void SearchWorker::put(const sensor_msgs::ImageConstPtr& message) {
 }
 
 void SearchWorker::invalidate_detections() {
-  ++generation_;
+  end_generation();
   mailbox_.clear();
   silence_.restart();
   statistics_.change([](SearchStatistics& statistics) {
@@ -63,9 +63,13 @@ void SearchWorker::invalidate_detections() {
   });
 }
 
+void SearchWorker::end_generation() {
+  const std::lock_guard<std::mutex> lock(publishing_);
+  ++generation_;
+}
+
 void SearchWorker::work() {
   while (const auto message = mailbox_.take()) {
-    searching_ = true;
     try {
       search(**message);
     } catch (const std::exception& error) {
@@ -82,32 +86,42 @@ void SearchWorker::search(const sensor_msgs::Image& message) {
   const Decoded decoded = decode_image(message, tools_.settings.initial().images.white_level);
   if (!decoded) return refuse(decoded.fault);
   const MatchingNodeConfig settings = tools_.settings.get();
+  SearchRequest request;
   try {
-    request_.roi = roi_in(parse_roi(settings.search_roi), decoded.image.size());
+    request.roi = roi_in(parse_roi(settings.search_roi), decoded.image.size());
   } catch (const ConfigError& error) {
     return refuse(error.what());
   }
   tools_.pipeline.configure(settings);
   const ReceivedImage received{decoded.image, message.header,
                                tools_.camera.camera_info_for(message.header, decoded.image.size())};
-  const Detections detections = tools_.pipeline.process(received, request_);
-  if (generation == generation_) publish(detections, decoded.image);
+  searching_ = true;
+  Detections detections = tools_.pipeline.process(received, request);
+  searching_ = false;
+  if (!publish(detections.array, generation)) return;
+  const MatchingNodeConfig now = tools_.settings.get();
+  tools_.publisher.publish_images(
+      detections.array, decoded.image, [&] { return tools_.matcher.score_map(decoded.image); },
+      now.show_score_map);
 }
 
-void SearchWorker::publish(const Detections& detections, const cv::Mat& image) {
-  const MatchingNodeConfig settings = tools_.settings.get();
-  const double latency =
-      tools_.publisher.publish(detections, image, [&] { return tools_.matcher.score_map(image); },
-                               {settings.publish_tf, settings.show_score_map});
-  note_answer(detections.array.header.stamp);
+/// Unless the detections have become invalid. Returns whether they were published.
+bool SearchWorker::publish(DetectedObjectArray& array, unsigned generation) {
+  {
+    const std::lock_guard<std::mutex> lock(publishing_);
+    if (generation != generation_) return false;
+    tools_.publisher.publish(array, tools_.settings.get().publish_tf);
+  }
+  note_answer(array.header.stamp);
   statistics_.change([&](SearchStatistics& statistics) {
     ++statistics.searched;
-    statistics.search_time = detections.array.search_time;
-    statistics.latency = latency;
-    statistics.message = detections.array.message;
+    statistics.search_time = array.search_time;
+    statistics.latency = array.latency;
+    statistics.message = array.message;
     statistics.unreliable = false;
     statistics.last_fault.clear();
   });
+  return true;
 }
 
 bool SearchWorker::admit(const std_msgs::Header& header) {
@@ -175,7 +189,7 @@ void SearchWorker::check_stale(bool expected) {
     statistics.unreliable = true;
   });
   // Confirmed objects may have been moved in the meantime, unless a long search is the reason.
-  if (!searching_) ++generation_;
+  if (!searching_) end_generation();
 }
 
 std::string SearchWorker::reason_of_staleness() const {

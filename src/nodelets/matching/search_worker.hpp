@@ -50,7 +50,8 @@ class SearchWorker {
  private:
   void work();
   void search(const sensor_msgs::Image& message);
-  void publish(const Detections& detections, const cv::Mat& image);
+  bool publish(mbncc_vision::DetectedObjectArray& array, unsigned generation);
+  void end_generation();
   bool admit(const std_msgs::Header& header);
   void reset_after_clock_jump();
   void refuse(const std::string& fault);
@@ -62,11 +63,11 @@ class SearchWorker {
   SharedStatistics statistics_;
   StaleWatch silence_;
   Mailbox<sensor_msgs::ImageConstPtr> mailbox_;
+  std::mutex publishing_;                // nothing of an earlier generation is published
   std::atomic<unsigned> generation_{0};  // incremented when earlier detections become invalid
   std::atomic<bool> searching_{false};
   // Used by the worker thread only.
   unsigned pipeline_generation_ = 0;
-  SearchRequest request_;
   StampGate gate_;
   RateLimit rate_;  // counts images with a published message
   std::thread worker_;
