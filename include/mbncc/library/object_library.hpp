@@ -92,8 +92,8 @@ class ObjectLibrary {
   ObjectModel rename(const std::string& name, const std::string& new_name,
                      const std::string& label);
 
-  /// Moves the object to `.trash/`. Throws NameError if the name is unknown.
-  void remove(const std::string& name);
+  /// Moves the object to `.trash/` and returns it. Throws NameError if the name is unknown.
+  ObjectModel remove(const std::string& name);
 
   /// Restores a revision from the trash (0: the newest readable one) as the next revision of that
   /// name; an object that it replaces is moved to the trash. Throws NameError if there is no such

@@ -140,9 +140,11 @@ ObjectModel ObjectLibrary::rename(const std::string& name, const std::string& ne
   return model;
 }
 
-void ObjectLibrary::remove(const std::string& name) {
+ObjectModel ObjectLibrary::remove(const std::string& name) {
   library::LockedFolder locked({folder_});
-  locked.discard(*read_known(locked, name));
+  const auto removed = read_known(locked, name);
+  locked.discard(*removed);
+  return *removed;
 }
 
 ObjectModel ObjectLibrary::restore(const std::string& name, std::uint32_t revision) {

@@ -15,12 +15,6 @@ using Request = mbncc_vision::EditObject::Request;
   throw std::invalid_argument(sentence);
 }
 
-ObjectModel remove(ObjectLibrary& library, const std::string& name) {
-  const auto removed = library.load()->find(name);
-  library.remove(name);
-  return removed ? *removed : ObjectModel{};
-}
-
 ObjectModel set_reference(ObjectLibrary& library, const Request& request) {
   const auto reference = from_msg(request.reference);
   if (!reference)
@@ -72,7 +66,7 @@ ObjectModel edit_object(ObjectLibrary& library, const Request& request) {
     case Request::RENAME:
       return rename(library, request);
     case Request::DELETE:
-      return remove(library, request.name);
+      return library.remove(request.name);
     case Request::RESTORE:
       return library.restore(request.name, request.revision);
     case Request::SET_REFERENCE:

@@ -49,6 +49,7 @@ void SharedLibrary::check_storage() const {
 
 ObjectModel SharedLibrary::change(const std::function<ObjectModel(ObjectLibrary&)>& change) {
   const std::lock_guard<std::mutex> lock(library_mutex_);
+  handed_over_ = false;  // a change that fails may have read what others have changed
   const ObjectModel changed = change(library_);
   try {
     load();

@@ -52,6 +52,25 @@ TEST(SharedLibrary, AStateThatTheListenerHasNotTakenIsHandedOverAgain) {
   EXPECT_EQ(objects, 1u) << "no file has changed meanwhile";
 }
 
+TEST(SharedLibrary, WhatAFailedChangeHasReadIsHandedOver) {
+  test::TemporaryFolder folder;
+  const std::string path = folder / "library";
+  std::size_t objects = 0;
+  SharedLibrary shared(path, [&](const auto& snapshot) { objects = snapshot->objects.size(); });
+  shared.change([](ObjectLibrary& library) {
+    return library.save(test::random_model(1, "cup"), ObjectLibrary::Existing::kRefuse);
+  });
+  ASSERT_EQ(objects, 1u);
+  ObjectLibrary(path).remove("cup");  // by another program
+  EXPECT_THROW(shared.change([](ObjectLibrary& library) {
+    library.load();
+    return library.remove("cup");
+  }),
+               NameError);
+  shared.refresh(false);
+  EXPECT_EQ(objects, 0u) << "no file has changed since the failed change has read it";
+}
+
 TEST(SharedLibrary, AChangeThatFailsIsReported) {
   test::TemporaryFolder folder;
   SharedLibrary shared(folder / "library", [](const auto&) {});
