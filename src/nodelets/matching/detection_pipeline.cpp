@@ -186,7 +186,9 @@ Detections DetectionPipeline::describe(const ReceivedImage& received,
   array.skipped = result.skipped;
   array.search_time = static_cast<float>(result.search_time);
   for (const auto& match : tracked.matches) {
-    const auto model = detections.library->find(match.match.name);
+    auto model = detections.library->find(match.match.name);
+    // A held instance may be of an earlier lesson, with another frame, height and grasp.
+    if (model && model->revision != match.match.revision) model = nullptr;
     array.objects.push_back(match.state == TrackState::kHeld
                                 ? describe_held(match, model.get(), received, calibration)
                                 : describe(match, model.get(), calibration));

@@ -277,6 +277,22 @@ TEST_F(DetectionPipelineTest, TheFootprintLiesOnThePlatform) {
   }
 }
 
+TEST_F(DetectionPipelineTest, AHeldInstanceOfAnEarlierLessonHasNoMetres) {
+  config_.hold_time = 10;
+  LiveMatcher matcher({}, folder_.path());
+  DetectionPipeline pipeline(config_, matcher, tf_);
+  for (int i = 0; i < 3; ++i) ASSERT_EQ(pipeline.process(received(i), {}).array.objects.size(), 1u);
+  ObjectLibrary(folder_.path()).edit("angle", [](ObjectModel& model) {
+    model.object_height = 0.1;
+  });
+  matcher.refresh(false);
+  image_.setTo(cv::Scalar::all(110));
+  const DetectedObjectArray array = pipeline.process(received(3), {}).array;
+  ASSERT_EQ(array.objects.size(), 1u);
+  EXPECT_EQ(array.objects[0].state, DetectedObject::HELD);
+  EXPECT_FALSE(array.objects[0].pose_valid) << "its height was another one";
+}
+
 TEST_F(DetectionPipelineTest, AnEmptyLibraryIsReported) {
   ObjectLibrary(folder_.path()).remove("angle");
   EXPECT_EQ(after(1).status, DetectedObjectArray::LIBRARY_EMPTY);
