@@ -18,6 +18,9 @@ namespace mbncc {
 /// Format that this version writes; newer ones are refused with a message.
 constexpr int kMissFileVersion = 1;
 
+/// Number of explanations that are told, the likeliest first.
+constexpr std::size_t kExplained = 3;
+
 struct SavedMiss {
   cv::Mat image;                   ///< CV_8UC3, at most 8 million pixels
   cv::Point2d place;               ///< [px] the place to explain

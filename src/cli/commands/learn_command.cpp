@@ -82,7 +82,10 @@ void learn_and_store(const Arguments& arguments, Settings& settings, LearnResult
   if (!may_store(result, arguments)) return;
   note_resemblance(result.object, lesson.before, known->objects, settings.search());
   result.object = store(library, storing, result.object, lesson.before, settings.search());
-  result.error = LearnError::kSuccess;
+  if (result.error == LearnError::kSuccess) return;
+  result.error = LearnError::kSuccess;  // a BAD one that was to be stored
+  result.message = message_of(result.error);
+  result.hint = hint_of(result.error);
 }
 
 void refuse(const Refusal& refusal, LearnResult& result) {

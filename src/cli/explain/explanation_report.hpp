@@ -11,9 +11,6 @@
 
 namespace mbncc::cli {
 
-/// Number of explanations that are printed, the likeliest first.
-constexpr std::size_t kExplained = 3;
-
 /// Prints human-readable lines.
 void print_explanations(std::ostream& out, const std::vector<Explanation>& explanations);
 

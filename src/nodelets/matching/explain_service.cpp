@@ -3,10 +3,11 @@
 
 #include <ros/time.h>
 
+#include <algorithm>
 #include <boost/date_time/posix_time/posix_time.hpp>
 #include <filesystem>
 #include <stdexcept>
-#include <utility>
+#include <vector>
 
 #include "nodelets/conversion/images.hpp"
 #include "nodelets/matching/search_roi.hpp"
@@ -14,18 +15,21 @@
 namespace mbncc::nodelets {
 namespace {
 
-constexpr double kPatience = 5;        // [s] for the next live image
-constexpr std::size_t kExplained = 3;  // number of objects, the likeliest first
+constexpr double kPatience = 5;  // [s] for the next live image
 constexpr const char* kFolder = ".misses";
 
-/// Adds a line that names the disabled objects, because the object in the image may be one of them.
-void add_disabled(SavedMiss& miss) {
+/// Names the disabled objects, because the object in the image may be one of them; "" without any.
+std::string disabled_ones(const std::vector<std::shared_ptr<const ObjectModel>>& objects) {
   std::string names;
-  for (const auto& object : miss.objects)
+  for (const auto& object : objects)
     if (!object->enabled) names += (names.empty() ? "'" : ", '") + object->name + "'";
-  if (!names.empty())
-    miss.lines.push_back("Not searched, because disabled: " + names +
-                         ". Enable the one that lies here.");
+  return names.empty()
+             ? ""
+             : "Not searched, because disabled: " + names + ". Enable the one that lies here.";
+}
+
+bool contains(const std::vector<std::string>& names, const std::string& name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 }  // namespace
@@ -65,25 +69,28 @@ void ExplainService::explain(const Request& request, Response& response) const {
   miss.place = {request.place.x, request.place.y};
   miss.names = request.names;
   miss.search = config.search;
+  std::vector<std::string> lines;
   for (const auto& object : tools_.matcher.library()->objects) {
-    if (object->views.front().image_size == miss.image.size())
+    const std::string other_size = other_image_size(*object, miss.image.size());
+    const std::string skipped = "'" + object->name + "' is not searched: " + other_size + ".";
+    if (other_size.empty())
       miss.objects.push_back(object);
+    else if (contains(request.names, object->name))
+      throw std::runtime_error(skipped);
     else if (object->enabled)
-      miss.lines.push_back("'" + object->name +
-                           "' is not searched: it was learned in images of another size. Teach it "
-                           "again at this size.");
+      lines.push_back(skipped);
   }
   const cv::Rect roi = parse_roi(config.search_roi);
   if (!roi.empty() && !cv::Rect2d(roi).contains(miss.place))
-    miss.lines.push_back("The place lies outside search_roi, so nothing is reported here.");
+    lines.push_back("The place lies outside search_roi, so nothing is reported here.");
   const auto explanations = mbncc::explain(miss);
-  if (explanations.empty())
-    miss.lines.push_back(
-        "The library has no enabled object learned at this image size: teach or enable one.");
-  for (const auto& line : lines_of(explanations, kExplained)) miss.lines.push_back(line);
-  if (!explanations.empty()) add_disabled(miss);
-  for (const auto& line : miss.lines)
-    response.message += (response.message.empty() ? "" : "\n") + line;
+  miss.lines = lines_of(explanations, kExplained);  // those that `mbncc replay` compares
+  lines.insert(lines.end(), miss.lines.begin(), miss.lines.end());
+  lines.push_back(explanations.empty() ? "The library has no enabled object learned at this image "
+                                         "size: teach or enable one."
+                                       : disabled_ones(miss.objects));
+  for (const auto& line : lines)
+    if (!line.empty()) response.message += (response.message.empty() ? "" : "\n") + line;
   response.picture = encode_image(draw_explanation(miss.image, miss.place, explanations));
   if (request.save) response.file = save(miss);
 }
