@@ -26,7 +26,7 @@ Fault check_symmetry(const Goal& goal) {
   } catch (const std::invalid_argument&) {
     return outcome(LearnError::kRegionInvalid,
                    "The symmetry " + std::to_string(goal.symmetry) + " does not exist.",
-                   "Give SYMMETRY_AUTO, _NONE, _2, _3, _4, _6 or _ROUND.");
+                   "Give SYMMETRY_AUTO, _NONE, _ROUND, or a number of equal angles from 2 to 12.");
   }
   return {};
 }

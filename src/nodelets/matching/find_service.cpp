@@ -152,8 +152,11 @@ Detections FindService::find_given(const Request& request, const MatchingNodeCon
       decoded.image, request.image.header,
       has_info ? boost::make_shared<sensor_msgs::CameraInfo>(request.camera_info) : nullptr};
   const auto search = search_request(request, config, decoded.image.size());
-  const auto lock = lock_search(deadline);
-  return pipeline.describe(received, requested(request, pipeline.track(received, search)));
+  const auto tracked = [&] {
+    const auto lock = lock_search(deadline);
+    return pipeline.track(received, search);
+  }();
+  return pipeline.describe(received, requested(request, tracked));
 }
 
 Detections FindService::find_live(const Request& request, const MatchingNodeConfig& config,
@@ -175,6 +178,8 @@ Detections FindService::find_live(const Request& request, const MatchingNodeConf
     const auto lock = lock_search(deadline);
     tracked = pipeline.track(received, search);
   }
+  // Only now, because an idle nodelet has just begun to listen to camera_info.
+  received.camera_info = tools_.camera.camera_info_for(received.header, received.image.size());
   return pipeline.describe(received, requested(request, std::move(tracked)));
 }
 
@@ -182,11 +187,13 @@ ReceivedImage FindService::next_image(const ros::Time& after, int white_level,
                                       Clock::time_point deadline) const {
   const double left = std::chrono::duration<double>(deadline - Clock::now()).count();
   const auto message = tools_.images.next(after, left);
-  if (!message) refuse("no image arrived in time; check the camera and the image topic");
+  if (!message)
+    refuse(
+        "no image that is newer than the call arrived in time; check the camera, the image topic "
+        "and the clocks");
   const Decoded decoded = decode_image(*message, white_level);
   if (!decoded) refuse(decoded.fault);
-  return {decoded.image, message->header,
-          tools_.camera.camera_info_for(message->header, decoded.image.size())};
+  return {decoded.image, message->header, nullptr};
 }
 
 std::unique_lock<std::timed_mutex> FindService::lock_search(Clock::time_point deadline) {
