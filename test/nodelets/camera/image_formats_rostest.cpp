@@ -329,7 +329,7 @@ TEST_F(ImageFormats, AnotherSizeIsReportedWithTheRemedy) {
   EXPECT_NE(array_->skipped[0].find("teach it again at this size"), std::string::npos)
       << array_->skipped[0];
   const std::string message = explain(sent).message;
-  EXPECT_NE(message.find("Teach it again at this size"), std::string::npos) << message;
+  EXPECT_NE(message.find("teach it again at this size"), std::string::npos) << message;
 }
 
 // Stamps that double precision represents exactly: of 32 images per second, 24 are three out of
