@@ -20,9 +20,6 @@ class ChangeMap {
   /// an empty image.
   void update(double stamp, const cv::Mat& image);
 
-  /// Clears the reference.
-  void reset();
-
   /// Whether the newest image differs from the reference within `region` [px].
   bool touches(const cv::Rect& region) const;
 

@@ -36,8 +36,9 @@ std::uint64_t folder_inode(const std::string& folder);
 
 /// Writers hold an exclusive lock on the folder (flock), so only one writes at a time, across
 /// processes; readers need no lock, because every file is replaced atomically. All functions throw
-/// FileError (with errno's text) if a file operation fails; the library is then unchanged. A writer
-/// that waits longer than 10 s for the lock throws FileError.
+/// FileError (with errno's text) if a file operation fails; the library is then unchanged, except
+/// that rename() may have stored the new label, and that a change whose folder could not be synced
+/// is made. A writer that waits longer than 10 s for the lock throws FileError.
 ///
 /// Revisions increase per name and are not reused, even after a removal or a rename, as long as
 /// the trash is not emptied. One instance serves one thread at a time.

@@ -39,7 +39,7 @@ class SourcePlayer {
 
   /// Attempts once to open the source, plays one image, or pauses once. Errors are logged and
   /// reported by health(); the source is then reopened after a pause of 0.5 s, which doubles up to
-  /// 8 s.
+  /// 8 s unless the source was opened and only repeats its last image.
   void step();
 
   /// May be called from any thread.

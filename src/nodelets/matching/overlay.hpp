@@ -4,7 +4,6 @@
 
 #include <mbncc_vision/DetectedObjectArray.h>
 
-#include <cstdint>
 #include <opencv2/core.hpp>
 
 namespace mbncc::nodelets {

@@ -179,10 +179,6 @@ void ChangeMap::drop_outdated(double stamp) {
   while (earlier_.size() > 1 && stamp - earlier_[1].stamp >= kRestTime) earlier_.pop_front();
 }
 
-void ChangeMap::reset() {
-  references_.release();
-}
-
 bool ChangeMap::touches(const cv::Rect& region) const {
   constexpr int side = kCell;
   const cv::Point low(region.x / side, region.y / side);

@@ -2,7 +2,6 @@
 #include "cell/incremental_search/instance_list.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <utility>
 

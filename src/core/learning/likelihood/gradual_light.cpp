@@ -2,7 +2,6 @@
 #include "learning/likelihood/gradual_light.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 #include <vector>
 
@@ -59,8 +58,8 @@ cv::Mat darker(const cv::Mat& before, const cv::Mat& after) {
   return dark;
 }
 
-}  // namespace
-
+// Slope [grey levels / px] of `before` minus `after`, with `after` in the light of `before`: root
+// of the sum of squares over the channels.
 cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after) {
   const cv::Mat b = smooth(before), a = smooth(after);
   cv::Mat slope = cv::Mat::zeros(before.size(), CV_32FC1);
@@ -81,6 +80,8 @@ cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after) {
   cv::sqrt(slope, slope);
   return slope;
 }
+
+}  // namespace
 
 cv::Mat barrier_from_frame(const cv::Mat& heights, const cv::Mat& closed) {
   constexpr int kLevels = 512;

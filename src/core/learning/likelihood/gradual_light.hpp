@@ -7,10 +7,6 @@
 
 namespace mbncc::likelihood {
 
-/// Slope [grey levels / px] of `before` minus `after`, with `after` in the light of `before`: root
-/// of the sum of squares over the channels, CV_32FC1. Both images are CV_32FC3 and of one size.
-cv::Mat light_slope(const cv::Mat& before, const cv::Mat& after);
-
 /// Least height, in the unit of `heights`, that a path from the image's border to each pixel must
 /// cross (minimax path, as in watersheds by flooding). `heights` is CV_32FC1, 0 or more; no path
 /// starts on border pixels that `closed` (CV_8UC1, may be empty) marks. Pixels without a path get

@@ -2,7 +2,6 @@
 #include "learning/quality/rotation_profile.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/pyramid.hpp"
