@@ -124,7 +124,8 @@ bool LiveMatcher::configure(const SearchConfig& config) {
 
 std::string LiveMatcher::fault() const {
   const std::string unreadable = library_.fault();
-  const auto lock = reading();
+  // Not in turn: a long search that a new library waits for must not delay the diagnostics.
+  const std::shared_lock<std::shared_mutex> lock(mutex_);
   const auto& unsearchable = matcher_.unsearchable();
   if (!unreadable.empty() || unsearchable.empty()) return unreadable;
   const auto& [name, reason] = *unsearchable.begin();
