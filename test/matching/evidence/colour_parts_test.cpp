@@ -6,10 +6,10 @@
 #include <array>
 #include <opencv2/imgproc.hpp>
 
-#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/tool_fixture.hpp"
 #include "matching/prepared/prepared_object.hpp"
 #include "matching/scene/scene_image.hpp"
+#include "matching/template/colours_beside.hpp"
 #include "mbncc/matching/matcher.hpp"
 
 namespace mbncc::evidence {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/gain_offset.hpp"
+#include "matching/template/colours_beside.hpp"
 
 namespace mbncc::evidence {
 namespace {
@@ -43,8 +43,8 @@ OutlineContrast::OutlineContrast(const templates::ContourTemplate& contour,
     : side_(std::sqrt(area)) {
   const cv::Mat& colours = lesson.whole().colour;
   for (std::size_t k = 0; k < contour.size(); ++k) {
-    const auto in = colour_beside(contour, k, -kBeside, colours, home, 1);
-    const auto out = colour_beside(contour, k, kBeside, colours, home, 1);
+    const auto in = colour_beside(contour, k, -templates::kBeside, colours, home, 1);
+    const auto out = colour_beside(contour, k, templates::kBeside, colours, home, 1);
     inside_.push_back(in.value_or(cv::Vec3f()));
     contrast_.push_back(in && out ? difference(*in, *out) : 0);
   }
@@ -60,14 +60,15 @@ MissingContrast OutlineContrast::missing(const scene::SceneLevel& scene,
   constexpr float kSame = 0.15F, kOwn = 0.2F, kSameGround = 0.35F, kGround = 0.5F;
   const templates::ContourTemplate& contour = object.contour;
   if (contour.size() == 0) return {};
-  const scene::PreparedPixels image = scene.around(pose, scale * object.reach() + kBeside);
+  const scene::PreparedPixels image =
+      scene.around(pose, scale * object.reach() + templates::kBeside);
   const GainOffset light = light_on(object.surface, sample.surface);
   const cv::Vec3f ground = background_colour(contour, scene, pose, scale);
   std::vector<char> continued(contour.size(), 0), absent(contour.size(), 0);
   for (std::size_t k = 0; k < contour.size(); ++k) {
     if (sample.contour.seen[k] == 0 || templates::is_clear(sample.contour.response[k])) continue;
-    const auto in = colour_beside(contour, k, -kBeside, image.colour, pose, scale);
-    const auto out = colour_beside(contour, k, kBeside, image.colour, pose, scale);
+    const auto in = colour_beside(contour, k, -templates::kBeside, image.colour, pose, scale);
+    const auto out = colour_beside(contour, k, templates::kBeside, image.colour, pose, scale);
     if (!in || !out) continue;
     const cv::Vec3f own(light.of(inside_[k][0]), light.of(inside_[k][1]), light.of(inside_[k][2]));
     const float across = difference(*in, *out);

@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 
 #include "imaging/pyramid.hpp"
-#include "matching/evidence/colours_beside.hpp"
 #include "matching/scene/grey_image.hpp"
+#include "matching/template/colours_beside.hpp"
 #include "mbncc/matching/symmetry.hpp"
 
 namespace mbncc::prepared {
@@ -194,7 +194,7 @@ PreparedView::PreparedView(const Source& source, Engine engine)
 void PreparedView::prepare_verification(const cv::Mat& map, const scene::SceneLevel& lesson) {
   const Pose2D learned{anchor.x, anchor.y, 0};
   parts = evidence::ColourParts(fine.surface, fine.contour,
-                                evidence::background_colour(fine.contour, lesson, learned));
+                                templates::background_colour(fine.contour, lesson, learned));
   ratios = evidence::RatioResidual(fine.surface, shape.area());
   outline_contrast = evidence::OutlineContrast(fine.contour, lesson, learned, shape.area());
   interior_edges = evidence::InteriorEdges(lesson, map, anchor);

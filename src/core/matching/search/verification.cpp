@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "matching/evidence/colours_beside.hpp"
 #include "matching/evidence/contour_alternative.hpp"
 #include "matching/refinement/gauss_newton.hpp"
 #include "matching/search/outline_alternatives.hpp"
+#include "matching/template/colours_beside.hpp"
 
 namespace mbncc::search {
 namespace {
@@ -138,7 +138,7 @@ evidence::PrintDifference compare_surface(const prepared::PreparedView& view,
           ? 0
           : view.parts.worst_difference(
                 view.fine.surface, sample.surface, sample.contour,
-                evidence::background_colour(view.fine.contour, scene, place.pose, place.scale));
+                templates::background_colour(view.fine.contour, scene, place.pose, place.scale));
   const auto print = view.print.difference(scene, view.fine, sample, place.pose, place.scale);
   detection.print_difference = print.largest;
   return print;

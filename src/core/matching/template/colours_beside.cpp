@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "matching/evidence/colours_beside.hpp"
+#include "matching/template/colours_beside.hpp"
 
 #include <array>
 #include <vector>
 
 #include "numeric/order_statistics.hpp"
 
-namespace mbncc::evidence {
+namespace mbncc::templates {
 
 std::optional<cv::Vec3f> colour_beside(const templates::ContourTemplate& contour, std::size_t k,
                                        double distance, const cv::Mat& colours, const Pose2D& pose,
@@ -27,4 +27,4 @@ cv::Vec3f background_colour(const templates::ContourTemplate& contour,
   return {numeric::median(colours[0]), numeric::median(colours[1]), numeric::median(colours[2])};
 }
 
-}  // namespace mbncc::evidence
+}  // namespace mbncc::templates

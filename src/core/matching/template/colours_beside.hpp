@@ -8,7 +8,7 @@
 #include "matching/scene/scene_level.hpp"
 #include "matching/template/contour_template.hpp"
 
-namespace mbncc::evidence {
+namespace mbncc::templates {
 
 constexpr double kBeside = 4;  // [px] distance from the contour at which colours are read
 
@@ -22,4 +22,4 @@ std::optional<cv::Vec3f> colour_beside(const templates::ContourTemplate& contour
 cv::Vec3f background_colour(const templates::ContourTemplate& contour,
                             const scene::SceneLevel& scene, const Pose2D& pose, double scale = 1);
 
-}  // namespace mbncc::evidence
+}  // namespace mbncc::templates
